@@ -4,10 +4,10 @@
     python bench/frames.py --print             # printed alone
 
 A raft with 200 columns and 500 loads is solved on a coarse mesh. The picture of its result, and the drawing in the
-editor, are dragged and zoomed by the pointer's events, one for each frame. Of each frame there is what the page itself
-takes (script, styles and layout, by Chromium's counters) and what passes until the next one, in which the picture is
-painted too: without a graphics card the processor does that. Of the pages there are the bytes, as they are and packed
-by gzip.
+editor, are dragged and zoomed by the pointer's events, one for each frame; in the editor a load is dragged, too. Of
+each frame there is what the page itself takes (script, styles and layout, by Chromium's counters) and what passes until
+the next one, in which the picture is painted too: there is no graphics card, the browser paints by the processor. Of
+the pages there are the bytes, as they are and packed by gzip.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from typing import Any
 
 HERE = Path(__file__).parent
 sys.path.append(str(HERE.parent / "tests"))
-from helpers.browsing import ARGUMENTS, STATIC, Server, chromium, missing  # noqa: E402
+from helpers.browsing import STATIC, Server, chromium, missing  # noqa: E402
 
 RESULTS = HERE / "frames.json"
 REPORT = STATIC.parent.parent / "views" / "report" / "static"
@@ -33,21 +33,23 @@ SIZE = {"width": 1920, "height": 1080}
 MOVE = """async ([selector, how, frames]) => {
   const element = document.querySelector(selector);
   const box = element.getBoundingClientRect();
-  const [x, y] = [box.left + box.width / 2, box.top + box.height / 2];
+  const drags = how === "drag";
+  const held = drags ? document.querySelector(".symbol.load .head").getBoundingClientRect() : box;
+  const [x, y] = drags ? [held.right, held.bottom] : [box.left + box.width / 2, box.top + box.height / 2];
   const send = (type, dx) => element.dispatchEvent(new PointerEvent(type, {
-    bubbles: true, pointerId: 1, isPrimary: true, button: type === "pointermove" ? -1 : 1, buttons: 4,
-    clientX: x + dx, clientY: y + dx / 2 }));
+    bubbles: true, pointerId: 1, isPrimary: true, clientX: x + dx, clientY: y + dx / 2,
+    button: type === "pointermove" ? -1 : how === "pan" ? 1 : 0, buttons: how === "pan" ? 4 : 1 }));
   const turn = (by) => element.dispatchEvent(new WheelEvent("wheel",
     { bubbles: true, cancelable: true, clientX: x, clientY: y, deltaY: by }));
   element.setPointerCapture = () => {};
-  if (how === "pan") send("pointerdown", 0);
+  if (how !== "zoom") send("pointerdown", 0);
   const times = [await new Promise(requestAnimationFrame)];
   for (let n = 1; n <= frames; n += 1) {
-    if (how === "pan") send("pointermove", 150 * Math.sin(n / 8));
+    if (how !== "zoom") send("pointermove", 150 * Math.sin(n / 8));
     else turn(n % 40 < 20 ? -40 : 40);
     times.push(await new Promise(requestAnimationFrame));
   }
-  if (how === "pan") send("pointerup", 0);
+  if (how !== "zoom") send("pointercancel", 0);
   return times.slice(1).map((time, n) => time - times[n]);
 }"""
 #: Chromium's counters of what the page itself takes [s].
@@ -85,7 +87,7 @@ def measure(page: Any, selector: str, picture: str) -> list[Row]:
         values = {each["name"]: each["value"] for each in client.send("Performance.getMetrics")["metrics"]}
         return [values[name] for name in COUNTERS]
 
-    for how in ("pan", "zoom"):
+    for how in ("pan", "zoom", "drag") if picture == "editor" else ("pan", "zoom"):
         page.wait_for_timeout(500)
         before = counters()
         times = sorted(page.evaluate(MOVE, [selector, how, FRAMES]))
@@ -115,8 +117,9 @@ def pictures() -> list[Row]:
         case = Path(folder) / "raft.toml"
         case.write_text(case_text(), encoding="utf-8")
         results = groundslab.save_results(groundslab.solve(groundslab.load(case)), Path(folder) / "raft-results")
-        browser = playwright.chromium.launch(executable_path=chromium(), args=ARGUMENTS)
-        shown = (("view", results, ".gs-plan", "result"), ("app", case, "svg.drawing", "editor"))
+        # the tests' browser emulates a graphics card, which takes longer than painting without one
+        browser = playwright.chromium.launch(executable_path=chromium(), args=["--no-sandbox", "--disable-gpu"])
+        shown = (("view", results, ".gs-plan", "result"), ("app", case, ".drawing", "editor"))
         for command, path, selector, picture in shown:
             server = Server(Path(folder) / command)
             page = browser.new_page(viewport=SIZE)

@@ -57,7 +57,7 @@ def test_no_violations_from_an_empty_case_to_a_result(server: Server, bench: Ben
     for tab in ("Form", "Tables", "Load cases", "Text", "Plan"):
         bench.tab(tab)
         assert find_violations(bench.page) == []
-    bench.page.locator("svg.drawing").press("?")
+    bench.page.locator(".drawing").press("?")
     bench.page.get_by_role("dialog", name="Keyboard shortcuts").wait_for()
     assert find_violations(bench.page) == []
     bench.page.keyboard.press("Escape")
@@ -119,7 +119,7 @@ def test_a_session_with_the_keyboard_alone(server: Server, bench: Bench, case: P
     bench.wait_solved()
     before = page.locator(".figures tr", has_text="largest settlement").first.text_content()
 
-    press_until(page, "Tab", "svg.drawing")
+    press_until(page, "Tab", ".drawing")
     bench.step("n", "load")
     keys.press("Control+d")
     bench.until(lambda: bench.text().count("[[loads]]") == 2)

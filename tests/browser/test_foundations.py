@@ -81,7 +81,7 @@ class Hands:
 
     def draw(self, tool: str, places: Iterable[str]) -> None:
         """Draw with a tool by typed places."""
-        self.page.locator("svg.drawing").focus()
+        self.page.locator(".drawing").focus()
         self.keys(tool)
         for place in places:
             self.type(place)

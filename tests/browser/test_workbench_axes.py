@@ -73,7 +73,7 @@ def test_an_axis_moves_with_its_columns(server: Server, bench: Bench, case: Path
     assert [(name, x + 0.5 * name.startswith("B"), y) for name, x, y in before] == after
     bench.wait_seen(".properties h3", "axes 1")
     bench.wait_solved()
-    bench.page.locator("svg.drawing").press("Control+z")
+    bench.page.locator(".drawing").press("Control+z")
     bench.until(lambda: 'distances = "2 x 2 m"' in bench.text(), bench.text)
     assert _places(bench) == before
 
@@ -93,7 +93,7 @@ def test_a_column_leaves_its_axes_and_comes_back(server: Server, bench: Bench, c
     # without its axes it stays where it is
     bench.page.mouse.click(*_bubble(bench, "C"))
     bench.wait_seen(".properties h3", "axes 1")
-    bench.page.locator("svg.drawing").press("Delete")
+    bench.page.locator(".drawing").press("Delete")
     bench.until(lambda: "at =" not in bench.text(), bench.text)
     assert _places(bench) == [("A1", 0.0, -1.0)]
 
@@ -138,7 +138,7 @@ def test_rings_edges_and_strips_are_drawn(server: Server, bench: Bench, case: Pa
     bench.tool("edge wall")
     bench.click(3, 0.3)
     bench.wait_text("[[walls]]", 'edge = "right"')
-    bench.page.locator("svg.drawing").press("Escape")
+    bench.page.locator(".drawing").press("Escape")
     bench.tool("strip")
     bench.drag((-2, -1), (2, -1))
     bench.wait_text("[[output.strips]]", 'width = "1 m"')

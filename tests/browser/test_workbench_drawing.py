@@ -86,7 +86,7 @@ def test_what_is_drawn_snaps_to_a_drawing_below_the_plan(
     dialog = bench.page.locator(".drawing-dialog")
     dialog.get_by_label("drawing unit").select_option("cm")
     dialog.get_by_role("button", name="Only show under the plan").click()
-    underlay = bench.page.locator("svg.drawing .underlay")
+    underlay = bench.page.locator(".drawing .underlay")
     underlay.wait_for(state="attached")
     bar = bench.page.get_by_role("button", name="Underlay")
     bar.click()
@@ -95,7 +95,7 @@ def test_what_is_drawn_snaps_to_a_drawing_below_the_plan(
         field.fill(value)
         field.press("Enter")
     bar.click()
-    bench.page.locator("svg.drawing").focus()
+    bench.page.locator(".drawing").focus()
     bench.page.keyboard.press("0")
     bench.tool("column")
     bench.click(0.36, -1.06)  # the axes cross at (7.33, 3.47) m of the drawing

@@ -51,7 +51,7 @@ def test_one_rack_leg_becomes_twelve_that_are_edited_together(server: Server, be
     assert len({each["name"] for each in columns}) == 12
     assert (columns[-1]["x"], columns[-1]["y"]) == ("1.6 m", "-0.6 m")
 
-    bench.page.locator("svg.drawing").focus()
+    bench.page.locator(".drawing").focus()
     bench.page.keyboard.press("Control+a")
     bench.wait_seen(".properties h3", "12 columns, 12 loads selected")
     bench.page.keyboard.press("Escape")
@@ -81,7 +81,7 @@ def test_fields_of_several_items_are_changed_in_one_step(server: Server, bench: 
     bench.fill("350 mm", "columns", 0, "width_x")
     bench.until(lambda: [each["width_x"] for each in _data(bench)["columns"]] == ["350 mm", "350 mm"])
     assert bench.text() == before.replace('"30 cm"', '"350 mm"').replace('width_x = "400 mm"', 'width_x = "350 mm"')
-    drawing = bench.page.locator("svg.drawing")
+    drawing = bench.page.locator(".drawing")
     drawing.focus()
     drawing.press("Control+z")
     bench.until(lambda: bench.text() == before)
@@ -121,7 +121,7 @@ def test_items_go_from_one_workbench_to_another(
     two.page.keyboard.press("Control+v")
     two.page.keyboard.press("Escape")
     assert len(_data(two)["columns"]) == 2
-    two.page.locator("svg.drawing").focus()
+    two.page.locator(".drawing").focus()
     two.page.keyboard.press("Control+z")
 
 
@@ -186,7 +186,7 @@ def test_walls_are_drawn_and_loads_stand_along_them(server: Server, bench: Bench
     """W draws a wall of the usual thickness; a load that names it stands along it."""
     case.write_text(case.read_text() + '\n[[loads]]\nkind = "line"\nq = "20 kN/m"\nwall = "W1"\n')
     bench.open(server.start(case))
-    bench.page.locator("svg.drawing").focus()
+    bench.page.locator(".drawing").focus()
     bench.page.keyboard.press("w")
     bench.drag((-2.0, -1.0), (1.0, -1.0))
     bench.until(lambda: "walls" in _data(bench))
@@ -215,10 +215,10 @@ def test_plates_are_drawn_and_joined(server: Server, bench: Bench, case: Path) -
     # without it nothing would press the further plate down
     case.write_text(case.read_text() + '\n[[loads]]\nkind = "uniform"\nq = "5 kPa"\n')
     bench.open(server.start(case))
-    view = bench.page.locator("svg.drawing").get_attribute("data-view")
+    view = bench.page.locator(".drawing").get_attribute("data-view")
     bench.page.mouse.move(*bench.pixel(0.0, 0.0))
     bench.page.mouse.wheel(0, 600)
-    bench.until(lambda: bench.page.locator("svg.drawing").get_attribute("data-view") != view)
+    bench.until(lambda: bench.page.locator(".drawing").get_attribute("data-view") != view)
     bench.tool("plate")
     bench.drag((3.0, -2.0), (5.0, 2.0))
     bench.until(lambda: "plates" in _data(bench))

@@ -14,7 +14,7 @@ pytestmark = pytest.mark.slow
 def test_twelve_legs_are_one_step(server: Server, bench: Bench, case: Path) -> None:
     """A key opens the dialog, the plan shows the legs, one change adds them, and one undo takes them away."""
     bench.open(server.start(case))
-    page, drawing = bench.page, bench.page.locator("svg.drawing")
+    page, drawing = bench.page, bench.page.locator(".drawing")
     drawing.focus()
     drawing.press("k")
     dialog = page.get_by_role("dialog", name="Racks")
@@ -22,7 +22,7 @@ def test_twelve_legs_are_one_step(server: Server, bench: Bench, case: Path) -> N
     dialog.get_by_label("bay width").fill("0.8")
     dialog.get_by_label("first leg x").fill("-2 m")
     bench.until(lambda: "12 legs." in dialog.inner_text(), dialog.inner_text)
-    bench.until(lambda: page.evaluate("document.querySelector('svg.drawing .ghosts').childElementCount") > 0)
+    bench.until(lambda: page.evaluate("document.querySelector('.drawing .ghosts').childElementCount") > 0)
     dialog.get_by_label("bays").fill("none")
     bench.until(lambda: 'found "none", expected a whole number' in dialog.inner_text(), dialog.inner_text)
     bench.until(dialog.get_by_role("button", name="Racks").is_disabled)
@@ -68,6 +68,6 @@ def test_a_vehicle_moves_along_a_path(server: Server, bench: Bench, case: Path) 
     # the axes on which they stand
     names = "[...document.querySelectorAll('.axis-label')].map((each) => each.textContent)"
     bench.until(lambda: page.evaluate(names) == ["A", "B", "C", "1", "2"], lambda: str(page.evaluate(names)))
-    page.locator("svg.drawing").press("z")
+    page.locator(".drawing").press("z")
     bench.until(lambda: page.evaluate(names) == [])
     bench.wait_solved()

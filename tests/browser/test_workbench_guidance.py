@@ -157,7 +157,7 @@ def test_the_tour_at_the_first_start(server: Server, newcomer: Bench, case: Path
     dialog.wait_for(state="detached")
     newcomer.open(page.url)
     assert dialog.count() == 0
-    page.locator("svg.drawing").press("?")
+    page.locator(".drawing").press("?")
     page.get_by_role("button", name="Tour").click()
     dialog.get_by_role("heading", name="Draw the slab").wait_for()
     page.keyboard.press("Escape")

@@ -15,7 +15,7 @@ pytestmark = pytest.mark.slow
 def test_keys_are_listed_and_work(server: Server, bench: Bench, case: Path) -> None:
     """A question mark shows the keys, with those of the tools, and is text where one types; Escape closes the list."""
     bench.open(server.start(case))
-    drawing = bench.page.locator("svg.drawing")
+    drawing = bench.page.locator(".drawing")
     drawing.press("?")
     dialog = bench.page.get_by_role("dialog", name="Keyboard shortcuts")
     dialog.get_by_text("Point load", exact=True).wait_for()

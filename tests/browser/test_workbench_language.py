@@ -18,7 +18,7 @@ def switch(bench: Bench, label: str, language: str) -> None:
     """Choose a language; the page is loaded again."""
     bench.page.get_by_label(label, exact=True).select_option(language)
     bench.page.wait_for_selector(f"html[lang={language}]")
-    bench.page.wait_for_selector("svg.drawing[data-view]")
+    bench.page.wait_for_selector(".drawing[data-view]")
 
 
 def test_the_page_is_switched_to_german_and_back(server: Server, bench: Bench, case: Path) -> None:
@@ -36,7 +36,7 @@ def test_the_page_is_switched_to_german_and_back(server: Server, bench: Bench, c
     )
     assert bar.locator(".file-title").inner_text() == "slab.toml"
     assert german["● unsaved"] in bar.inner_text(), "the edit is still there"
-    assert bench.page.locator("svg.drawing").get_by_text("Void", exact=True).count() == 1, "the name of the column"
+    assert bench.page.locator(".drawing").get_by_text("Void", exact=True).count() == 1, "the name of the column"
     bench.tab(german["Form"])
     row = bench.field("plate", "thickness")
     assert row.locator("label").inner_text().startswith(german["thickness"])
@@ -56,5 +56,5 @@ def test_the_language_of_the_case_is_the_first(server: Server, bench: Bench, cas
     assert bench.page.locator("html").get_attribute("lang") == "de"
     switch(bench, german["language"], "en")
     bench.page.reload()
-    bench.page.wait_for_selector("svg.drawing[data-view]")
+    bench.page.wait_for_selector(".drawing[data-view]")
     assert bench.page.locator("html").get_attribute("lang") == "en"

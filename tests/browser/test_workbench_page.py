@@ -51,7 +51,7 @@ def test_a_drawn_slab_is_solved_saved_and_undone(server: Server, bench: Bench, t
     assert 'name = "C1"' in saved
 
     page.reload()
-    page.wait_for_selector("svg.drawing[data-view]")
+    page.wait_for_selector(".drawing[data-view]")
     bench.until(lambda: bench.text() == saved)
     bench.wait_solved()
     assert bench.largest("largest settlement") == settlement
@@ -109,7 +109,7 @@ def test_corners_are_drawn_dragged_added_and_removed(server: Server, bench: Benc
 def test_the_keyboard_alone_moves_and_removes(server: Server, bench: Bench, case: Path) -> None:
     """Things are selected, moved by steps and removed by keys; a row of steps is one edit."""
     bench.open(server.start(case))
-    drawing = bench.page.locator("svg.drawing")
+    drawing = bench.page.locator(".drawing")
     bench.step("n", "olumn A1")
     # one after the other without a pause, however busy the machine is
     drawing.evaluate(
@@ -166,7 +166,7 @@ def test_broken_text_can_be_fixed_where_it_is_broken(server: Server, bench: Benc
     bench.page.wait_for_selector(".line-issue")
     bench.wait_seen(".code-gutter .bad", "8")
     bench.page.wait_for_selector(".broken:not([hidden])")
-    bench.wait_equal(bench.page.locator('svg.drawing [data-kind="slab"]').count, 1)
+    bench.wait_equal(bench.page.locator('.drawing [data-kind="slab"]').count, 1)
     area.fill(whole)
     bench.page.wait_for_selector(".broken", state="hidden")
     bench.wait_seen(".issue-count", "No errors")
@@ -195,7 +195,7 @@ def test_nothing_is_lost_when_the_server_dies(own_server: Server, tabs: Any, cas
     bench.wait_text('size = "0.05 m"', 'thickness = "275 mm"  # as on the drawing')
     bench.page.wait_for_selector(".banner", state="hidden")
     other.page.get_by_role("button", name="Restore").click()
-    other.page.wait_for_selector("svg.drawing[data-view]")
+    other.page.wait_for_selector(".drawing[data-view]")
     other.wait_text('size = "0.05 m"', 'thickness = "275 mm"  # as on the drawing')
     bench.page.locator(".solve.solving").click()
     bench.page.keyboard.press("Control+s")
@@ -373,7 +373,7 @@ def test_closed_lines_are_no_areas(server: Server, bench: Bench, case: Path) -> 
     case.write_text(f"{case.read_text()}\n{wall}\n{area}\n{support}")
     bench.open(server.start(case))
     paths = ['["loads",1]', '["supports",0]', '["loads",2]']
-    symbols = [f"svg.drawing .symbol[data-path='{path}'] path" for path in paths]
+    symbols = [f".drawing .symbol[data-path='{path}'] path" for path in paths]
     bench.page.locator(symbols[-1]).wait_for(state="attached")
     # all at once: a symbol that the next frame draws anew has no style any more
     fills = "symbols => symbols.map(symbol => getComputedStyle(document.querySelector(symbol)).fill)"

@@ -16,7 +16,7 @@ kind = "polygon"
 points = [["1 m", "-0.5 m"], ["2 m", "-0.5 m"], ["2 m", "0.5 m"], ["1 m", "0.5 m"]]
 """
 
-DISTANCES = """() => [...document.querySelectorAll('svg.drawing .dimension')].map((each) => each.textContent).sort()"""
+DISTANCES = """() => [...document.querySelectorAll('.drawing .dimension')].map((each) => each.textContent).sort()"""
 
 
 def test_twelve_legs_take_few_actions_with_the_mouse(server: Server, bench: Bench, case: Path) -> None:
@@ -34,7 +34,7 @@ def test_twelve_legs_take_few_actions_with_the_mouse(server: Server, bench: Benc
     bench.until(lambda: "12 legs." in dialog.inner_text(), dialog.inner_text)
     page.keyboard.press("Enter")
     bench.wait_text('pattern = "rack"', '"-2 m"', "frames = 6")
-    page.locator("svg.drawing").press("Control+z")
+    page.locator(".drawing").press("Control+z")
     bench.until(lambda: "rack" not in bench.text(), bench.text)
 
 
@@ -83,7 +83,7 @@ def test_a_length_is_typed_while_a_column_is_dragged(server: Server, bench: Benc
     bench.wait_text('x = "1.25 m"', 'y = "1 m"')
     page.mouse.move(*bench.pixel(2, 0))
     page.mouse.up()
-    page.locator("svg.drawing").press("Control+z")
+    page.locator(".drawing").press("Control+z")
     bench.wait_text('x = "-2 m"', 'y = "1 m"')
 
 
@@ -102,6 +102,6 @@ def test_an_edge_is_bent_into_an_arc(server: Server, bench: Bench, case: Path) -
     bench.until(lambda: page.locator(".handle.bend").count() == 1)
     bench.drag((2.5, 0), (2, 0))
     bench.wait_text("bulges = [0, 0]")
-    page.locator("svg.drawing").press("Control+z")
-    page.locator("svg.drawing").press("Control+z")
+    page.locator(".drawing").press("Control+z")
+    page.locator(".drawing").press("Control+z")
     bench.until(lambda: "bulges" not in bench.text(), bench.text)

@@ -78,7 +78,7 @@ def test_what_is_picked_is_selected_and_marked(server: Server, bench: Bench, cas
     page.locator(".result-table:visible").get_by_text("A1").first.click()
     bench.wait_seen(".properties h3", "olumn A1")
     page.wait_for_selector(".gs-overlay .selected circle", state="attached")
-    page.locator("svg.drawing").press("Escape")
+    page.locator(".drawing").press("Escape")
     bench.until(lambda: page.locator(".gs-overlay .selected").count() == 0)
 
 

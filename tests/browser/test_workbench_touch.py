@@ -36,7 +36,7 @@ def test_fingers_select_drag_move_and_zoom(server: Server, browser: Any, case: P
 
     def view() -> list[float]:
         """Return the middle of what is seen [m], and the pixels of a meter."""
-        return [float(word) for word in page.locator("svg.drawing").get_attribute("data-view").split()]
+        return [float(word) for word in page.locator(".drawing").get_attribute("data-view").split()]
 
     page.touchscreen.tap(*bench.pixel(-2, 1))
     bench.wait_seen(".property-head h3", "olumn A1")

@@ -160,7 +160,7 @@ class Bench:
     def open(self, url: str) -> Bench:
         """Open the page and wait until it can be used."""
         self.page.goto(url)
-        self.page.wait_for_selector("svg.drawing[data-view]")
+        self.page.wait_for_selector(".drawing[data-view]")
         return self
 
     def tab(self, name: str) -> None:
@@ -174,7 +174,7 @@ class Bench:
 
     def pixels(self, *places: tuple[float, float]) -> list[tuple[float, float]]:
         """Return where places of the plan [m] are on the screen, in the view that the next frame shows."""
-        left, top, width, height, view = self.page.locator("svg.drawing").evaluate(VIEW)
+        left, top, width, height, view = self.page.locator(".drawing").evaluate(VIEW)
         cx, cy, scale = map(float, view.split())
         return [(left + width / 2 + (x - cx) * scale, top + height / 2 - (y - cy) * scale) for x, y in places]
 
@@ -245,7 +245,7 @@ class Bench:
     def step(self, key: str, words: str) -> None:
         """Press a key of the drawing until what it selects is called so; each time the next frame shows it."""
         for _ in range(9):
-            self.page.locator("svg.drawing").press(key)
+            self.page.locator(".drawing").press(key)
             self.page.evaluate("() => new Promise(requestAnimationFrame)")
             if words in self.seen(".properties h3"):
                 return

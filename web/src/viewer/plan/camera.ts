@@ -6,6 +6,23 @@ import type { Point } from "../data/scene";
 const NEAREST = 20_000; // pixels per meter
 const FARTHEST = 0.2;
 
+/** How a drawing has to be moved [px] and stretched to be where it belongs. */
+export interface Shift {
+  dx: number;
+  dy: number;
+  zoom: number;
+}
+
+/** Return a shift as a style. */
+export function transformOf({ dx, dy, zoom }: Shift): string {
+  return `translate(${dx}px, ${dy}px) scale(${zoom})`;
+}
+
+/** Whether a shifted drawing, which reaches beyond the view by a share of its size, still does for it. */
+export function isNear({ dx, dy, zoom }: Shift, { width, height }: Camera, beyond: number): boolean {
+  return zoom > 0.6 && zoom < 1.8 && Math.abs(dx) < beyond * width && Math.abs(dy) < beyond * height;
+}
+
 export class Camera {
   /** The middle of what is seen [m], and pixels per meter. */
   x = 0;
@@ -52,6 +69,22 @@ export class Camera {
     this.scale = Math.min(NEAREST, Math.max(FARTHEST, scale));
     this.x = (x0 + x1) / 2 - left / 2 / this.scale;
     this.y = (y0 + y1) / 2 - bottom / 2 / this.scale;
+  }
+
+  /** Return a copy, which stays where it is. */
+  copy(): Camera {
+    return Object.assign(new Camera(), this);
+  }
+
+  /** Whether another camera shows the same. */
+  isAt(other: Camera): boolean {
+    return (["x", "y", "scale", "width", "height"] as const).every((name) => this[name] === other[name]);
+  }
+
+  /** Return how far what an earlier camera drew has moved since [px], and how much larger it is, about the middle. */
+  since(drawn: Camera): Shift {
+    const [dx, dy] = [(drawn.x - this.x) * this.scale, (this.y - drawn.y) * this.scale];
+    return { dx, dy, zoom: this.scale / drawn.scale };
   }
 
   /** Return a camera that looks down on the same part of the plan. */

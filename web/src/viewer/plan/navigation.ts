@@ -5,6 +5,8 @@ import type { Camera } from "./camera";
 
 /** A press that moves less than this [px] is a click. */
 const CLICK = 4;
+const STILL = 140; // ms without movement until everything is drawn again
+const LONGEST = 600; // ms: movements farther apart are not one
 
 /** Return where an event is on an element, from its upper left corner [px]. */
 export function pixelOf(element: Element, event: MouseEvent): Point {
@@ -23,6 +25,33 @@ export function zoomByWheel(camera: Camera, event: WheelEvent, pixel: Point): vo
 /** Whether two pixels are too far apart for a click. */
 export function isFar(a: Readonly<Point>, b: Readonly<Point>): boolean {
   return distanceBetween(a, b) >= CLICK;
+}
+
+/** Tells whether the view moves: from its first movement until it has been still for a while. */
+export class Motion {
+  /** Whether the view moves. */
+  on = false;
+  private at = Number.NEGATIVE_INFINITY; // ms
+  private timer = 0;
+
+  constructor(private readonly onStill: () => void) {}
+
+  /** The view has moved. */
+  moved(): void {
+    const now = performance.now();
+    // where frames come slowly, movements do too
+    const apart = now - this.at < LONGEST ? now - this.at : 0;
+    this.on = true;
+    this.at = now;
+    clearTimeout(this.timer);
+    this.timer = window.setTimeout(
+      () => {
+        this.on = false;
+        this.onStill();
+      },
+      Math.max(STILL, 2 * apart),
+    );
+  }
 }
 
 /** The pointers that are down, and where. */

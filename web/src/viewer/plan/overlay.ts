@@ -5,7 +5,7 @@ import { TakenBoxes } from "../data/label-placement";
 import { lengthsOf } from "../data/lengths";
 import type { Lengths, Plan, Point } from "../data/scene";
 import { h, svg } from "../shared/dom";
-import { Camera } from "./camera";
+import { type Camera, isNear, transformOf } from "./camera";
 import { drawLabels } from "./labels";
 import { type Layers, symbolsOf } from "./plan-symbols";
 import { drawRulers, drawScaleBar } from "./rulers";
@@ -25,7 +25,8 @@ export interface Marks {
 /** Return the numbers on a field where it is seen [m], at a scale [pixels per meter]. */
 export type NumbersAt = (box: Box, scale: number) => FieldNumber[];
 
-const MARGIN = 0.35; // of the view: how far beyond it symbols are drawn, so that they are there when it moves
+/** How far beyond the view symbols are drawn, as a share of it, so that they are there when it moves. */
+export const BEYOND = 0.35;
 const CROWD = 15; // px: point loads so near to another one have no arrow
 
 export class Overlay {
@@ -44,12 +45,9 @@ export class Overlay {
   follow(camera: Camera): boolean {
     const { drawn } = this;
     if (!drawn) return false;
-    const zoom = camera.scale / drawn.camera.scale;
-    const [dx, dy] = [(drawn.camera.x - camera.x) * camera.scale, (camera.y - drawn.camera.y) * camera.scale];
-    const isNear =
-      zoom > 0.6 && zoom < 1.8 && Math.abs(dx) < MARGIN * camera.width && Math.abs(dy) < MARGIN * camera.height;
-    if (!isNear && performance.now() - drawn.when > 6 * drawn.cost) return false;
-    this.symbols.style.transform = `translate(${dx}px, ${dy}px) scale(${zoom})`;
+    const shift = camera.since(drawn.camera);
+    if (!isNear(shift, camera, BEYOND) && performance.now() - drawn.when > 6 * drawn.cost) return false;
+    this.symbols.style.transform = transformOf(shift);
     return true;
   }
 
@@ -73,7 +71,7 @@ export class Overlay {
     this.symbols.replaceChildren(...groups, ...drawLabels(labels, camera, taken), this.marks);
     this.symbols.setAttribute("viewBox", `0 0 ${camera.width} ${camera.height}`);
     const now = performance.now();
-    this.drawn = { camera: Object.assign(new Camera(), camera), when: now, cost: now - start };
+    this.drawn = { camera: camera.copy(), when: now, cost: now - start };
   }
 
   /** Draw what the user has marked. */
@@ -120,7 +118,7 @@ function drawPick(at: Point): SVGElement[] {
 /** Whether a symbol is in the view or near it. */
 function isSeen({ points }: PlanSymbol, { box, width, height, scale }: Camera): boolean {
   const [x0, y0, x1, y1] = boxAround(points);
-  const [dx, dy] = [(MARGIN * width) / scale, (MARGIN * height) / scale];
+  const [dx, dy] = [(BEYOND * width) / scale, (BEYOND * height) / scale];
   return x1 >= box[0] - dx && x0 <= box[2] + dx && y1 >= box[1] - dy && y0 <= box[3] + dy;
 }
 

@@ -17,17 +17,14 @@ import { type ShownField, scaleFor } from "../data/shown-field";
 import { FieldView } from "../renderer/field-view";
 import type { Picture } from "../renderer/renderer";
 import { h } from "../shared/dom";
-import { Camera } from "./camera";
-import { isFar, pixelOf, Touches, zoomByWheel } from "./navigation";
-import { type Marks, type NumbersAt, Overlay } from "./overlay";
+import { Camera, isNear, transformOf } from "./camera";
+import { isFar, Motion, pixelOf, Touches, zoomByWheel } from "./navigation";
+import { BEYOND, type Marks, type NumbersAt, Overlay } from "./overlay";
 import { ALL_LAYERS, type Layers } from "./plan-symbols";
 import { RULER } from "./rulers";
 import "./plan-view.css";
 
 export type Tool = "pan" | "pick" | "section";
-
-const STILL = 140; // ms without movement until everything is drawn again
-const LONGEST = 600; // ms: movements farther apart are not one
 
 export class PlanView extends FieldView {
   /** A point of the plan was picked [m]. */
@@ -57,9 +54,7 @@ export class PlanView extends FieldView {
   private readonly touches = new Touches();
   private pressed: Point | null = null; // where a click may begin
   private pulling = false; // whether a section is pulled from where the pointer was pressed
-  private stillTimer = 0;
-  private moving = false;
-  private movedAt = 0; // ms
+  private readonly motion = new Motion(() => this.redraw());
   private isDrawn = false; // whether the overlay shows what is to be shown
   private painted: { camera: Camera; when: number } | null = null; // what the renderer drew last
 
@@ -188,29 +183,17 @@ export class PlanView extends FieldView {
 
   /** The user has moved the view: draw roughly until nothing has moved for a while. */
   private moved(): void {
-    const now = performance.now();
-    // where frames come slowly, movements do too
-    const apart = this.moving ? Math.min(now - this.movedAt, LONGEST) : 0;
     this.fitted = false;
-    this.moving = true;
-    this.movedAt = now;
-    clearTimeout(this.stillTimer);
-    this.stillTimer = window.setTimeout(
-      () => {
-        this.moving = false;
-        this.redraw();
-      },
-      Math.max(STILL, 2 * apart),
-    );
+    this.motion.moved();
     super.redraw();
   }
 
   protected draw(): void {
     const { camera, plan, layers, marks, overlay } = this;
     if (!this.element.clientWidth || !this.element.clientHeight) return;
-    if (this.isDrawn && !this.moving) return overlay.drawMarks(camera, marks);
+    if (this.isDrawn && !this.motion.on) return overlay.drawMarks(camera, marks);
     this.drawField();
-    if (this.moving && this.isDrawn && overlay.follow(camera))
+    if (this.motion.on && this.isDrawn && overlay.follow(camera))
       return overlay.drawRulers(camera, layers, lengthsOf(plan));
     overlay.draw(camera, plan, layers, marks, this.numbersAt);
     this.isDrawn = true;
@@ -232,18 +215,16 @@ export class PlanView extends FieldView {
   private drawField(): void {
     const { renderer, camera, painted } = this;
     const now = performance.now();
-    if (this.moving && painted && !renderer.accelerated) {
-      const zoom = camera.scale / painted.camera.scale;
-      const [dx, dy] = [(painted.camera.x - camera.x) * camera.scale, (camera.y - painted.camera.y) * camera.scale];
-      const isNear = zoom > 0.6 && zoom < 2 && Math.abs(dx) < camera.width / 3 && Math.abs(dy) < camera.height / 3;
-      if (isNear || now - painted.when < 4 * renderer.cost) {
-        renderer.canvas.style.transform = `translate(${dx}px, ${dy}px) scale(${zoom})`;
+    if (this.motion.on && painted && !renderer.accelerated) {
+      const shift = camera.since(painted.camera);
+      if (isNear(shift, camera, BEYOND) || now - painted.when < 4 * renderer.cost) {
+        renderer.canvas.style.transform = transformOf(shift);
         return;
       }
     }
     this.paint(camera, this.screenRatio);
     renderer.canvas.style.transform = "";
-    this.painted = { camera: Object.assign(new Camera(), camera), when: now };
+    this.painted = { camera: camera.copy(), when: now };
   }
 
   private paint(camera: Camera, ratio: number): void {

@@ -83,6 +83,16 @@ export function fill(element: Element, ...children: Child[]): void {
   append(element, children);
 }
 
+/** Replace the children of an element; those that stay are not touched. */
+export function keepChildren(element: Element, children: readonly Element[]): void {
+  const kept = new Set(children);
+  for (const child of [...element.children]) if (!kept.has(child)) child.remove();
+  let next = element.firstElementChild;
+  for (const child of children)
+    if (child === next) next = next.nextElementSibling;
+    else element.insertBefore(child, next);
+}
+
 /** Set a text only if it differs, so that screen readers do not read it twice. */
 export function setText(element: Element, text: Text): void {
   const words = shown(text);

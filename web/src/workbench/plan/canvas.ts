@@ -2,10 +2,11 @@
 
 import { boxAround } from "../../viewer/data/boxes";
 import { distanceBetween } from "../../viewer/data/points";
-import { Camera } from "../../viewer/plan/camera";
+import { Camera, isNear, transformOf } from "../../viewer/plan/camera";
+import { Motion } from "../../viewer/plan/navigation";
 import { drawGrid, drawRulers, RULER, stepOf } from "../../viewer/plan/rulers";
 import { drawPath, drawText } from "../../viewer/plan/symbols";
-import { svg } from "../../viewer/shared/dom";
+import { h, keepChildren, svg } from "../../viewer/shared/dom";
 import { readStored, writeStored } from "../../viewer/shared/storage";
 import type { Store } from "../client/store";
 import { type Axis, axesIn, crossingsOf, distanceTo, nearestOn } from "../model/axes";
@@ -23,7 +24,7 @@ import { type Handle, handlesOf } from "./interaction/handles";
 import { itemsAt } from "./interaction/hit-testing";
 import { snapPlaces } from "./interaction/snap-places";
 import { type Snapped, snap } from "./interaction/snapping";
-import { drawDimensions, drawItems } from "./rendering";
+import { type Drawn, drawDimensions, drawItems } from "./rendering";
 import { UnderlayLines } from "./underlay/underlay-lines";
 
 const REACH = 9; // px: how near is near enough
@@ -32,12 +33,13 @@ const NOTHING_MARKED = { selected: [], hovered: null, faulty: [], loadCase: "" }
 const MARGIN = 42; // px around what is shown entirely
 const MARGIN_OF_AXES = 58;
 const AXES = "groundslab-axes";
+const BEYOND = 0.5; // of the view: how far a drawing is moved with it, instead of being drawn again
 const SNAP = 4.5; // px: least distance of round lengths to snap to
 
 /** Everything drawn, kept in step with the store's data. */
 export class Canvas {
   readonly camera = new Camera();
-  readonly element: SVGSVGElement;
+  readonly element: HTMLElement;
   items: Item[] = [];
   preview: Preview | null = null;
   /** Edits that are shown as if they were made, while an axis is dragged. */
@@ -58,7 +60,12 @@ export class Canvas {
   private underlay: UnderlayLines | null = null;
   private readonly symbols = svg("g");
   private readonly marks = svg("g");
+  private readonly moving = svg("svg", { class: "moving" }, this.below, this.axes, this.symbols, this.marks);
   private readonly rulers = svg("g");
+  private readonly motion = new Motion(() => this.redraw());
+  private drawnBy: Camera | null = null;
+  private readonly drawings: Drawn = new Map(); // of the items, by that camera
+  private isDrawn = false; // whether nothing but the camera has changed since
   private fitted = true;
   private slab = ""; // its bounds, as they were last
   private frame = 0;
@@ -71,7 +78,7 @@ export class Canvas {
       "aria-label": "drawing of the slab in plan",
       "aria-roledescription": "drawing",
     };
-    this.element = svg("svg", attributes, this.grid, this.below, this.axes, this.symbols, this.marks, this.rulers);
+    this.element = h("div", attributes, svg("svg", {}, this.grid), this.moving, svg("svg", {}, this.rulers));
   }
 
   /** The size of the element has changed. */
@@ -126,7 +133,8 @@ export class Canvas {
   /** The user has moved or zoomed: from now on nothing is fitted by itself. */
   moved(): void {
     this.fitted = false;
-    this.redraw();
+    this.motion.moved();
+    this.request();
   }
 
   /** The only selected item; null if none or several are selected. */
@@ -198,6 +206,11 @@ export class Canvas {
 
   /** Draw with the next frame. */
   redraw(): void {
+    this.isDrawn = false;
+    this.request();
+  }
+
+  private request(): void {
     this.frame ||= requestAnimationFrame(() => {
       this.frame = 0;
       this.draw();
@@ -205,11 +218,28 @@ export class Canvas {
   }
 
   private draw(): void {
-    const { camera, preview, store } = this;
-    this.element.setAttribute("width", String(camera.width));
-    this.element.setAttribute("height", String(camera.height));
+    const { camera } = this;
     // where a place of the plan is on the screen, for tests
     this.element.dataset.view = `${camera.x} ${camera.y} ${camera.scale}`;
+    this.grid.replaceChildren(...drawGrid(camera));
+    this.rulers.replaceChildren(...drawRulers(camera));
+    if (this.follow()) return;
+    this.drawAll();
+    this.isDrawn = true;
+    this.moving.style.transform = "";
+  }
+
+  /** Move and stretch what is drawn while the view moves; false if it has to be drawn again. */
+  private follow(): boolean {
+    if (!this.motion.on || !this.isDrawn || !this.drawnBy) return false;
+    const shift = this.camera.since(this.drawnBy);
+    if (!isNear(shift, this.camera, BEYOND)) return false;
+    this.moving.style.transform = transformOf(shift);
+    return true;
+  }
+
+  private drawAll(): void {
+    const { camera, preview, store } = this;
     const changed = new Map(
       shownBy(preview).map(({ item, geometry }) => [pathKey(item.path), withGeometry(item, geometry)]),
     );
@@ -222,13 +252,13 @@ export class Canvas {
       loadCase: this.loadCase,
       cases: namesIn(listAt(store.data, ["cases"])),
     };
-    this.grid.replaceChildren(...drawGrid(camera));
     this.below.replaceChildren(...(this.underlay ? [this.underlay.draw(camera)] : []));
     this.axes.replaceChildren(...(this.hasAxes ? drawAxes(camera, shown, this.buildingAxes, store.selected) : []));
-    this.symbols.replaceChildren(...drawItems(camera, shown, highlights));
+    if (!this.drawnBy?.isAt(camera)) this.drawings.clear();
+    this.drawnBy = camera.copy();
+    keepChildren(this.symbols, drawItems(camera, shown, highlights, this.drawings));
     const ghosts = svg("g", { class: "ghosts" }, ...drawItems(camera, this.ghosts, { ...NOTHING_MARKED }));
     this.marks.replaceChildren(ghosts, ...this.drawMarks(shown.filter((item) => store.isSelected(item.path))));
-    this.rulers.replaceChildren(...drawRulers(camera));
   }
 
   private drawMarks(items: readonly Item[]): SVGElement[] {

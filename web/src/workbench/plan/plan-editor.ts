@@ -96,7 +96,10 @@ function drawingBox(store: Store, canvas: Canvas, push: (change: Change) => void
   const bar = [underlayBar(store, canvas), cases.element, ...viewButtons(canvas)];
   const corner = h("div", { class: "drawing-corner" }, ...bar);
   const box = h("div", { class: "drawing-box" }, canvas.element, corner, empty);
-  new ResizeObserver(() => canvas.resize(box.clientWidth, box.clientHeight)).observe(box);
+  new ResizeObserver(() => {
+    const { width, height } = box.getBoundingClientRect();
+    canvas.resize(width, height);
+  }).observe(box);
   store.on(["data"], () => {
     canvas.refresh();
     // what has been removed is no longer selected

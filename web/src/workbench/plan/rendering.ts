@@ -23,16 +23,34 @@ export interface Highlights {
   cases?: readonly string[];
 }
 
-/** Draw all items of a model, from below upwards. */
-export function drawItems(camera: Camera, items: readonly Item[], highlights: Highlights): SVGElement[] {
+/** Drawings of items by their paths, each with all that it shows. */
+export type Drawn = Map<string, { looks: string; element: SVGElement }>;
+
+/** Draw all items of a model, from below upwards; of what was drawn by the same camera, what looks the same stays. */
+export function drawItems(
+  camera: Camera,
+  items: readonly Item[],
+  highlights: Highlights,
+  drawn: Drawn = new Map(),
+): SVGElement[] {
   const loadsAt = new Map<string, Item[]>();
   for (const item of items.filter((each) => each.kind === "load"))
     loadsAt.set(placeKey(item), [...(loadsAt.get(placeKey(item)) ?? []), item]);
   return items.map((item) => {
-    const style = colorOf(item, highlights);
-    const classes = classesOf(item, highlights);
-    const attributes = { class: classes, style, "data-path": pathKey(item.path), "data-kind": item.kind };
-    return svg("g", attributes, ...drawSymbol(camera, symbolOf(item, loadsAt.get(placeKey(item)) ?? [], highlights)));
+    const path = pathKey(item.path);
+    const symbol = symbolOf(item, loadsAt.get(placeKey(item)) ?? [], highlights);
+    const attributes = {
+      class: classesOf(item, highlights),
+      style: colorOf(item, highlights),
+      "data-path": path,
+      "data-kind": item.kind,
+    };
+    const looks = JSON.stringify([attributes, symbol]);
+    const before = drawn.get(path);
+    if (before?.looks === looks) return before.element;
+    const element = svg("g", attributes, ...drawSymbol(camera, symbol));
+    drawn.set(path, { looks, element });
+    return element;
   });
 }
 

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { Camera } from "../../../src/viewer/plan/camera";
+import { Camera, isNear } from "../../../src/viewer/plan/camera";
 
 describe("the camera", () => {
   it("keeps the place under the pointer while it zooms", () => {
@@ -12,5 +12,28 @@ describe("the camera", () => {
     expect(after[0]).toBeCloseTo(before[0], 12);
     expect(after[1]).toBeCloseTo(before[1], 12);
     expect(camera.toPixel(after)[0]).toBeCloseTo(100, 9);
+  });
+
+  it("tells how a drawing of before has to be moved", () => {
+    const drawn = Object.assign(new Camera(), { width: 400, height: 300, x: 1, y: 2, scale: 40 });
+    const camera = drawn.copy();
+    expect(camera.isAt(drawn)).toBe(true);
+    camera.zoom(1.5, [70, 210]);
+    camera.pan(33, -12);
+    expect(camera.isAt(drawn)).toBe(false);
+    const { dx, dy, zoom } = camera.since(drawn);
+    const [u, v] = drawn.toPixel([-2.5, 3.25]);
+    // about the middle of the view, as style sheets stretch
+    const [moved, there] = [[200 + zoom * (u - 200) + dx, 150 + zoom * (v - 150) + dy], camera.toPixel([-2.5, 3.25])];
+    expect(moved[0]).toBeCloseTo(there[0], 9);
+    expect(moved[1]).toBeCloseTo(there[1], 9);
+  });
+
+  it("draws again what has moved or grown too far", () => {
+    const camera = Object.assign(new Camera(), { width: 400, height: 300 });
+    expect(isNear({ dx: 100, dy: -100, zoom: 1.5 }, camera, 0.4)).toBe(true);
+    expect(isNear({ dx: 170, dy: 0, zoom: 1 }, camera, 0.4)).toBe(false);
+    expect(isNear({ dx: 0, dy: -130, zoom: 1 }, camera, 0.4)).toBe(false);
+    expect(isNear({ dx: 0, dy: 0, zoom: 2 }, camera, 0.4)).toBe(false);
   });
 });

@@ -2,10 +2,11 @@
 // How items are drawn.
 import { describe, expect, it } from "vitest";
 import { Camera } from "../../../src/viewer/plan/camera";
+import { keepChildren } from "../../../src/viewer/shared/dom";
 import { readGeometry, ringOf } from "../../../src/workbench/model/geometry";
 import { itemsOf } from "../../../src/workbench/model/items";
-import type { Table } from "../../../src/workbench/model/paths";
-import { drawItems } from "../../../src/workbench/plan/rendering";
+import type { Path, Table } from "../../../src/workbench/model/paths";
+import { type Drawn, drawItems } from "../../../src/workbench/plan/rendering";
 
 describe("the drawing", () => {
   const camera = new Camera();
@@ -140,5 +141,31 @@ describe("the drawing", () => {
     expect(half.length).toBe(91);
     // on a half circle about (1, 0)
     for (const [x, y] of half) expect(Math.hypot(x - 1, y)).toBeCloseTo(1, 12);
+  });
+
+  it("keeps what looks the same, and its place among what is drawn", () => {
+    const items = (x: string) =>
+      itemsOf(
+        {
+          columns: [
+            { name: "A", x, y: "0 m" },
+            { name: "B", x: "2 m", y: "0 m" },
+            { name: "C", x: "4 m", y: "0 m" },
+          ],
+        },
+        null,
+      );
+    const kept: Drawn = new Map();
+    const draw = (x: string, selected: Path[] = []) =>
+      drawItems(camera, items(x), { selected, hovered: null, faulty: [], loadCase: "" }, kept);
+    const group = document.createElement("div");
+    const before = draw("0 m");
+    keepChildren(group, before);
+    const after = draw("1 m", [["columns", 2]]);
+    keepChildren(group, after);
+    expect(before.map((element, n) => element === after[n])).toEqual([false, true, false]);
+    expect([...group.children]).toEqual(after);
+    keepChildren(group, [after[2]!, after[0]!]);
+    expect([...group.children]).toEqual([after[2], after[0]]);
   });
 });
