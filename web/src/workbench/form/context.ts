@@ -1,5 +1,6 @@
 // What the parts of a form share.
 
+import { namesAxes } from "../model/changes/axis-references";
 import { isReferenced, renameReferences } from "../model/changes/references";
 import type { Memory } from "../model/changes/variants";
 import type { Change, Edit } from "../model/edits";
@@ -37,7 +38,7 @@ export function setValue(ctx: FormContext, path: Path, value: Json | undefined, 
 
 /** Whether a field is sent only when its input is complete. */
 export function isSentWhenComplete(path: Path): boolean {
-  return isReferenced(path);
+  return isReferenced(path) || namesAxes(path);
 }
 
 /** What a field is called in the list of edits: `thickness of slab`, `E of ground.layers[1]`. */

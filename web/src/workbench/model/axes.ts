@@ -17,7 +17,8 @@ export interface Axis {
   ray: boolean;
 }
 
-const BETWEEN = "/";
+/** Stands between the names of axes that cross. */
+export const BETWEEN = "/";
 const SAME = 1e-6; // m: places so near are one
 const ROUNDED = 1e9;
 

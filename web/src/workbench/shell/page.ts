@@ -14,6 +14,7 @@ import { openDocumentation, openFieldDocumentation } from "../help/documentation
 import { fieldHelp } from "../help/field-help";
 import { asksForKeys, showKeys } from "../help/keys";
 import { isTourTaken, startTour } from "../help/tour";
+import { followAxes } from "../model/changes/axis-references";
 import type { Change } from "../model/edits";
 import type { Issue, Remark } from "../model/issues";
 import type { Path } from "../model/paths";
@@ -41,13 +42,14 @@ export function buildPage(
   resolveOffer: (state: DocState) => Promise<DocState>,
 ): void {
   if (!store.schema || !store.doc) return;
-  const model = modelPanel(store, new Schema(store.schema), (change) => queue.push(change));
+  const push = (change: Change) => queue.push(followAxes(store.data, change));
+  const model = modelPanel(store, new Schema(store.schema), push);
   const lost = connection.handleLoss.bind(connection);
   const commands = new Commands(api, store, queue, lost, model.flush, model.openIssues, resolveOffer);
   showWarnings(store);
   const result = new ResultPanel(store, api, lost, {
     solve: () => void commands.solve(),
-    push: (change) => queue.push(change),
+    push,
   });
   const page = h("main", { class: "page" });
   page.append(

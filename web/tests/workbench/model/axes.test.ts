@@ -8,10 +8,9 @@ import {
   nameOfCrossing,
   parseDistances,
 } from "../../../src/workbench/model/axes";
-import { axisEdits, formatDistances, hangOn, takeOff, takeOffFrom } from "../../../src/workbench/model/changes/hanging";
+import { axisEdits, formatDistances, hangOn, takeOff } from "../../../src/workbench/model/changes/hanging";
 import { addPoint } from "../../../src/workbench/model/changes/new-items";
 import { applyOptimistic } from "../../../src/workbench/model/changes/optimistic-edits";
-import { removeItem } from "../../../src/workbench/model/changes/references";
 import { itemsOf } from "../../../src/workbench/model/items";
 import { listAt, type Table } from "../../../src/workbench/model/paths";
 import { moveChange } from "../../../src/workbench/plan/interaction/gestures";
@@ -128,12 +127,6 @@ describe("what hangs on axes", () => {
         ["0 m", "5 m"],
       ],
     });
-  });
-  it("stays where it is if its axes are removed", () => {
-    const after = removeItem(DATA, ["axes", 1]).edits.reduce(applyOptimistic, DATA);
-    expect(listAt(after, ["axes"])).toHaveLength(1);
-    expect(columnOf(after).geometry).toMatchObject({ x: 6, y: 5 });
-    expect(takeOffFrom(DATA, [["axes", 7]])).toEqual([]);
   });
   it("is called by its axes, and boreholes are not called as columns are", () => {
     expect(addPoint("column", DATA, [12, 0], "").change.edits[0]).toMatchObject({ value: { name: "C2", at: "C/1" } });

@@ -1,5 +1,5 @@
 // What hangs on axes of the building: taken off them where it is moved, hung on others, and the axes themselves moved.
-import { type Axis, axesIn, hungPlaces, isHung, nameOfCrossing, parseDistances } from "../axes";
+import { type Axis, hungPlaces, isHung, nameOfCrossing, parseDistances } from "../axes";
 import type { Edit } from "../edits";
 import { isTable, type Json, listAt, type Path, type Table, tableAt, valueAt } from "../paths";
 import { formatDecimals, formatLength, parsePoint, parsePoints } from "../quantities";
@@ -8,7 +8,7 @@ import { editsToTable, Impossible } from "./transform";
 type Point = readonly [number, number];
 
 /** Lists of what may hang on axes. */
-const LISTS = ["columns", "walls", "beams", "supports", "loads"];
+export const LISTS = ["columns", "walls", "beams", "supports", "loads"];
 /** Kinds of loads and supports that may. */
 const KINDS: readonly Json[] = ["point", "pile", "line", "line moment"];
 
@@ -62,21 +62,6 @@ export function hangAll(data: Table, axes: readonly Axis[]): Edit[] {
       if (!isTable(table)) return [];
       const hung = hangOn(table, list, axes);
       return hung === table ? [] : editsToTable([list, n], table, hung);
-    }),
-  );
-}
-
-/** Return the edits that take off what hangs on axes of some families, so that these can be removed. */
-export function takeOffFrom(data: Table, families: readonly Path[]): Edit[] {
-  const axes = axesIn(data);
-  const isRemoved = (name: string) =>
-    axes.some((axis) => axis.name === name.trim() && families.some((path) => path[1] === axis.path[1]));
-  return LISTS.flatMap((list) =>
-    listAt(data, [list]).flatMap((table, n): Edit[] => {
-      if (!isTable(table) || !isHung(table) || !hungPlaces(table, axes)) return [];
-      const texts = (Array.isArray(table.at) ? table.at : [table.at]).map(String);
-      const hangsThere = texts.some((text) => text.split("/").some(isRemoved));
-      return hangsThere ? editsToTable([list, n], table, takeOff(table, axes)) : [];
     }),
   );
 }

@@ -4,7 +4,6 @@ import type { Change, Edit } from "../edits";
 import { titleOfAll } from "../items";
 import { namesIn } from "../names";
 import { isTable, type Json, listAt, type Path, samePath, type Table } from "../paths";
-import { takeOffFrom } from "./hanging";
 
 /** Which key of which list calls the names of a list. */
 const REFERENCES: readonly { names: string; list: string; key: string }[] = [
@@ -68,11 +67,7 @@ export function removeItems(data: Table, paths: readonly Path[]): Change {
   const places = [...loads.map((n): Path => ["loads", n]), ...joints.map((n): Path => ["joints", n])];
   const removed: Path[] = [...paths, ...places];
   // from the last on, so that the positions of the others stay
-  const families = paths.filter((path) => path[0] === "axes");
-  const edits: Edit[] = [
-    ...(families.length > 0 ? takeOffFrom(data, families) : []),
-    ...removed.toSorted(byPositionBackwards).map((path): Edit => ({ op: "remove", path })),
-  ];
+  const edits = removed.toSorted(byPositionBackwards).map((path): Edit => ({ op: "remove", path }));
   const their = paths.length === 1 ? "its" : "their";
   const also =
     loads.length === 0 ? "" : loads.length === 1 ? ` and ${their} load` : ` and ${their} ${loads.length} loads`;
