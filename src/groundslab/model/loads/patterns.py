@@ -41,6 +41,8 @@ LEAST_STEP = 0.05
 SAME_POSITION = 0.01
 #: A rectangle that is turned by a right angle but for so much [rad] is a rectangle along x and y again.
 SQUARE = 1e-9
+#: Angles of turned rectangles have so many digits after the point [degrees], so that they have no noise of arctangents.
+ANGLE_DIGITS = 9
 
 Width = float | None
 Offset = Quantity("length", "y", "", example="1.1 m")
@@ -196,10 +198,7 @@ def position_names(moves: tuple[Move, ...]) -> dict[str, tuple[str, ...]]:
 
 
 def point_loads(pattern: AnyPattern, station: Station, case: str) -> tuple[PointLoad, ...]:
-    """Return the loads of a pattern at a place.
-
-    A rectangle turned by other than right angles stands as a circle of the same area.
-    """
+    """Return the loads of a pattern at a place, their footprints turned with it."""
     x, y = station.origin
     cos = math.cos(station.angle)
     sin = math.sin(station.angle)
@@ -220,7 +219,8 @@ def _footprint(force: Wheel, cos: float, sin: float) -> dict[str, float]:
         return {"width_x": force.width_x, "width_y": force.width_y}
     if abs(cos) < SQUARE:
         return {"width_x": force.width_y, "width_y": force.width_x}
-    return {"diameter": math.sqrt(4 * force.width_x * force.width_y / math.pi)}
+    half_turns = math.remainder(math.degrees(math.atan2(sin, cos)), 180)  # after which a rectangle is the same
+    return {"width_x": force.width_x, "width_y": force.width_y, "angle": round(half_turns, ANGLE_DIGITS)}
 
 
 def loads_on_plate(covered: PlateRegion, loads: tuple[PointLoad, ...]) -> tuple[PointLoad, ...]:

@@ -5,7 +5,10 @@ from __future__ import annotations
 import math
 from typing import Any
 
+import numpy as np
 import pytest
+from shapely import box
+from shapely.affinity import rotate, translate
 
 from groundslab.case.casefile import loads, to_toml
 from groundslab.errors import InputError
@@ -61,8 +64,25 @@ def test_forces_turn_with_the_direction() -> None:
     assert (ahead.x, ahead.y) == pytest.approx((9.5, 21.0))
     assert (ahead.width_x, ahead.width_y) == (0.2, 0.3)
     assert (own.x, own.y, own.width_x) == (10.0, 20.0, None)
-    askew, _ = point_loads(vehicle, Station(0.0, (0.0, 0.0), 0.3), "live")
-    assert math.pi * askew.diameter**2 / 4 == pytest.approx(0.06)
+
+
+@pytest.mark.parametrize("degrees", [0.0, 30.0, 90.0, 135.0, -20.0, 180.0, 215.0, 270.0])
+def test_footprints_turn_with_the_direction(degrees: float) -> None:
+    """A wheel of 0.3 m x 0.2 m at (1 m, 0.5 m) covers what shapely makes of it by a rotation about the origin."""
+    vehicle = Vehicle.model_validate(VEHICLE, from_file=True)
+    wheel, _ = point_loads(vehicle, Station(0.0, (10.0, 20.0), math.radians(degrees)), "live")
+    expected = translate(rotate(box(0.85, 0.4, 1.15, 0.6), degrees, origin=(0, 0)), 10.0, 20.0)
+    assert wheel.to_shapely(1e-3).symmetric_difference(expected).area < 1e-12
+    assert -90 <= wheel.angle <= 90
+
+
+def test_a_path_at_an_angle_turns_footprints() -> None:
+    """A truck on a path along (3, 4), at both ends: places and angle by hand."""
+    path = {**PATH, "points": [["-0.9 m", "-1.2 m"], ["0.9 m", "1.2 m"]], "step": "3 m"}
+    placed = [load for load in place_patterns(read(moves=[path])).loads if isinstance(load, PointLoad)]
+    wheels = [(load.x, load.y, load.width_x, load.width_y, load.angle) for load in placed if load.P == 20e3]
+    angle = math.degrees(math.asin(0.8))
+    assert np.array(wheels) == pytest.approx(np.array([(-0.7, -0.1, 0.3, 0.2, angle), (1.1, 2.3, 0.3, 0.2, angle)]))
 
 
 def test_a_rack_has_its_legs_frame_by_frame() -> None:

@@ -91,7 +91,7 @@ function firstOf(value: Json | undefined): Json | undefined {
 }
 
 /** Return a table with its footprint turned: its sides change places at right angles, else they have an angle. */
-function turnFootprint(table: Table, by: Isometry): Table {
+export function turnFootprint(table: Table, by: Isometry): Table {
   const { width_x, width_y, angle, ...others } = table;
   const known = typeof angle === "number" ? angle : 0;
   if (width_x === undefined || width_y === undefined || (by.b === 0 && known === 0)) return table;

@@ -1,6 +1,6 @@
 // Racks: rows of frames with two legs each, single or back to back.
 import type { Additions } from "../../model/changes/copies";
-import { Impossible } from "../../model/changes/transform";
+import { Impossible, turnFootprint } from "../../model/changes/transform";
 import type { Edit } from "../../model/edits";
 import type { Point } from "../../model/geometry";
 import { applyTo, rotation } from "../../model/isometry";
@@ -97,16 +97,6 @@ function legOf(values: Values): Table {
   };
 }
 
-/** Return a leg whose base plate lies in the rack's direction; as in patterns a circle of its area where that is askew. */
-function turnedLegOf(values: Values): Table {
-  const { P, width_x, width_y } = legOf(values);
-  const angle = Math.abs(angleOf(values, "angle")) % 180;
-  if (angle === 0) return { P: P!, width_x: width_x!, width_y: width_y! };
-  if (angle === 90) return { P: P!, width_x: width_y!, width_y: width_x! };
-  const area = sizeOf(values, "width_x") * sizeOf(values, "width_y");
-  return { P: P!, diameter: formatLength(Math.sqrt((4 * area) / Math.PI), "mm") };
-}
-
 /** Return the change that adds a pattern, and a place of it for each row. */
 function asPattern(data: Table, values: Values, across: readonly number[], loadCase: string): Additions {
   const name = freeName(namesIn(listAt(data, ["patterns"])), "rack");
@@ -143,7 +133,7 @@ function asPattern(data: Table, values: Values, across: readonly number[], loadC
 /** Return the change that adds a point load for each leg. */
 function asLoads(data: Table, values: Values, across: readonly number[], loadCase: string): Additions {
   const turn = rotation(angleOf(values, "angle"), [0, 0]);
-  const [bay, frames, size] = [sizeOf(values, "bay"), countOf(values, "bays") + 1, turnedLegOf(values)];
+  const [bay, frames, size] = [sizeOf(values, "bay"), countOf(values, "bays") + 1, turnFootprint(legOf(values), turn)];
   const places = rowsOf(values, across).flatMap(([x, y]) =>
     Array.from({ length: frames }, (_, n) =>
       across.map((leg): Point => {
