@@ -98,6 +98,73 @@ def test_a_column_leaves_its_axes_and_comes_back(server: Server, bench: Bench, c
     assert _places(bench) == [("A1", 0.0, -1.0)]
 
 
+POLAR = """
+[[axes]]
+kind = "ray"
+angles = [0, 45, 90]
+
+[[axes]]
+kind = "ring"
+distances = "1 m, 0.9 m"
+"""
+
+
+def test_rays_turn_and_rings_grow_with_their_columns(server: Server, bench: Bench, case: Path) -> None:
+    """A ray is turned by its bubble, a ring resized by a handle and by a typed radius; each is one undo."""
+    text = SMALL.replace('x = "-2 m"\ny = "1 m"', 'at = "2/A"')
+    assert 'at = "2/A"' in text
+    case.write_text(text + POLAR, encoding="utf-8")
+    bench.open(server.start(case))
+    bench.wait_equal(lambda: bench.page.evaluate(BUBBLES), ["1", "2", "3", "A", "B"])
+    x, y = _bubble(bench, "2")
+    [(x0, y0), (x1, y1)] = bench.pixels((0, 0), (0.5, math.sqrt(0.75)))
+    away = math.hypot(x - x0, y - y0) / math.hypot(x1 - x0, y1 - y0)
+    bench.page.mouse.move(x, y)
+    bench.page.mouse.down()
+    bench.page.mouse.move(x0 + away * (x1 - x0), y0 + away * (y1 - y0), steps=5)
+    bench.until(lambda: bench.page.locator("text.tip").text_content() == "2: 60°", bench.text)
+    bench.page.mouse.up()
+    bench.wait_text("angles = [0, 60, 90]")
+    [(_, x, y)] = _places(bench)
+    assert (x, y) == pytest.approx((0.5, math.sqrt(0.75)))
+    # the family is selected: its rings have handles
+    bench.page.mouse.click(*_bubble(bench, "A"))
+    bench.wait_seen(".properties h3", "axes 2")
+    bench.drag((-1, 0), (-1.2, 0.02))
+    bench.wait_text('distances = "1.2 m, 0.7 m"')
+    bench.page.mouse.move(*_bubble(bench, "A"))
+    bench.page.mouse.down()
+    bench.page.keyboard.type("1.5")
+    bench.page.keyboard.press("Enter")
+    bench.page.mouse.up()
+    bench.wait_text('distances = "1.5 m, 0.4 m"')
+    [(_, x, y)] = _places(bench)
+    assert (x, y) == pytest.approx((0.75, 1.5 * math.sqrt(0.75)))
+    for before in ('distances = "1.2 m, 0.7 m"', 'distances = "1 m, 0.9 m"', "angles = [0, 45, 90]"):
+        bench.page.locator("svg.drawing").press("Control+z")
+        bench.until(lambda before=before: before in bench.text(), bench.text)
+
+
+def test_names_of_axes_are_changed_with_what_hangs_on_them(server: Server, bench: Bench, case: Path) -> None:
+    """Renamed in the properties, and in the form made fewer: references follow, one undo takes each back."""
+    bench.open(server.start(case))
+    _make_axes(bench, first_x="-2", first_y="-1", spacing_in_x="2x2", spacing_in_y="2")
+    bench.wait_text('at = "A/2"')
+    bench.wait_seen(".properties h3", "axes 1")
+    first = bench.page.locator(""".properties [data-path='["axes",0,"first"]'] input""")
+    first.fill("L")
+    first.press("Enter")
+    bench.wait_text('first = "L"', 'at = "L/2"')
+    bench.wait_equal(lambda: bench.page.evaluate(BUBBLES), ["L", "M", "N", "1", "2"])
+    bench.page.locator("svg.drawing").press("Control+z")
+    bench.until(lambda: 'at = "A/2"' in bench.text() and 'first = "A"' in bench.text(), bench.text)
+    rows = bench.page.locator(""".properties [data-path='["axes",0,"names"]'] input""")
+    rows.fill("X, Y, Z")
+    rows.press("Enter")
+    bench.wait_text('names = ["X", "Y", "Z"]', 'at = "X/2"')
+    assert _places(bench) == [("A1", -2.0, 1.0)]
+
+
 def test_axes_are_taken_from_columns(server: Server, bench: Bench, case: Path) -> None:
     """Columns in rows become axes of their names, and hang on them; one off the rows stays and hides nothing."""
     size = 'width_x = "300 mm"\nwidth_y = "300 mm"\n'

@@ -1,14 +1,16 @@
 // Axes of the building with their names, or of columns that stand in line, and chains of dimensions between them.
 
+import { distanceBetween } from "../../viewer/data/points";
 import type { Point } from "../../viewer/data/scene";
 import type { Camera } from "../../viewer/plan/camera";
 import { drawPath, drawText } from "../../viewer/plan/symbols";
 import { svg } from "../../viewer/shared/dom";
 import type { Axis } from "../model/axes";
-import { boundsOf, rectangleCorners, ringOf } from "../model/geometry";
+import { boundsOf, type Geometry, quarterPoints, rectangleCorners, ringOf } from "../model/geometry";
 import { boundsOfItems, type Item } from "../model/items";
 import { type Path, samePath } from "../model/paths";
 import { formatDecimals } from "../model/quantities";
+import { drawHandle } from "./rendering";
 
 export interface ColumnAxis {
   /** Its x or y [m]. */
@@ -57,6 +59,8 @@ interface DrawnAxis {
   axis: Axis;
   line: Point[];
   bubble: Point;
+  /** Where it can be dragged besides, while its family is selected. */
+  grips: Point[];
 }
 
 /** Draw the axes with their names, and the dimensions between them, the edges of the slab, and in all. */
@@ -67,12 +71,7 @@ export function drawAxes(
   selected: readonly Path[],
 ): SVGElement[] {
   const bounds = boundsOfPlates(items);
-  const drawn = place(camera, items, building).flatMap((each) =>
-    drawOne(
-      each,
-      selected.some((path) => samePath(path, each.axis.path)),
-    ),
-  );
+  const drawn = place(camera, items, building).flatMap((each) => drawOne(each, isSelected(each.axis, selected)));
   if (!bounds) return drawn;
   const [x0, y0, x1, y1] = bounds;
   const [left, bottom] = camera.toPixel([x0, y0]);
@@ -92,15 +91,22 @@ export function drawAxes(
   return [...drawn, ...lines, ...chainX.flat(), ...chainY.flat()];
 }
 
-/** Return the axis of the building whose bubble is under a pixel, null if none is. */
+/** Return the axis of the building whose bubble is under a pixel, or a handle if it is selected; null if none is. */
 export function axisUnder(
   camera: Camera,
   items: readonly Item[],
   building: readonly Axis[],
+  selected: readonly Path[],
   pixel: Readonly<Point>,
 ): Axis | null {
-  const reach = ({ bubble }: DrawnAxis) => Math.hypot(bubble[0] - pixel[0], bubble[1] - pixel[1]) <= BUBBLE + 2;
-  return place(camera, items, building).find(reach)?.axis ?? null;
+  const isNear = (at: Point) => distanceBetween(at, pixel) <= BUBBLE + 2;
+  const drawn = place(camera, items, building);
+  const isHeld = ({ axis, grips }: DrawnAxis) => isSelected(axis, selected) && grips.some(isNear);
+  return (drawn.find(({ bubble }) => isNear(bubble)) ?? drawn.find(isHeld))?.axis ?? null;
+}
+
+function isSelected(axis: Axis, selected: readonly Path[]): boolean {
+  return selected.some((path) => samePath(path, axis.path));
 }
 
 function boundsOfPlates(items: readonly Item[]) {
@@ -127,10 +133,11 @@ function place(camera: Camera, items: readonly Item[], building: readonly Axis[]
     const { place: at, direction, radius, ray } = axis;
     const pixel = ([x, y]: readonly [number, number]) => camera.toPixel([x, y]);
     if (!direction) {
-      const ring = ringOf({ type: "circle", at: [], center: at, radius });
+      const circle = { type: "circle", at: [], center: [...at], radius } as const satisfies Geometry;
+      const ring = ringOf(circle);
       const turn = Math.PI / 8;
       const bubble = pixel([at[0] + radius * Math.cos(turn), at[1] + radius * Math.sin(turn)]);
-      return { axis, line: [...ring, ring[0]!].map(pixel), bubble };
+      return { axis, line: [...ring, ring[0]!].map(pixel), bubble, grips: quarterPoints(circle).map(pixel) };
     }
     const leading = Math.abs(direction[1]) >= Math.abs(direction[0]) ? direction[1] : direction[0];
     const [u, v] = ray || leading > 0 ? direction : [-direction[0], -direction[1]];
@@ -139,15 +146,26 @@ function place(camera: Camera, items: readonly Item[], building: readonly Axis[]
     const far = ray && rings.length > 0 ? Math.max(...rings.map((each) => each.radius)) : Math.max(0, ...ways);
     const [start, end] = ray ? [0, far + 2 * over] : [Math.min(...ways) - over, Math.max(...ways) + 2 * over];
     const on = (way: number) => pixel([at[0] + way * u, at[1] + way * v]);
-    return { axis, line: [on(start), on(end)], bubble: on(end + BUBBLE / camera.scale) };
+    return {
+      axis,
+      line: [on(start), on(end)],
+      bubble: on(end + BUBBLE / camera.scale),
+      grips: [on(ray ? end : start)],
+    };
   });
 }
 
-function drawOne({ axis, line, bubble }: DrawnAxis, isSelected: boolean): SVGElement[] {
-  const marks = isSelected ? " selected" : "";
+function drawOne({ axis, line, bubble, grips }: DrawnAxis, isChosen: boolean): SVGElement[] {
+  const marks = isChosen ? " selected" : "";
+  const handles = (isChosen ? grips : []).map((grip) => drawHandle(grip));
   const circle = svg("circle", { class: `axis-name${marks}`, cx: bubble[0], cy: bubble[1], r: BUBBLE });
   circle.dataset.axis = axis.name;
-  return [drawPath(line, false, `axis${marks}`), circle, drawText(bubble, axis.name, [0, 4], "axis-label middle")];
+  return [
+    drawPath(line, false, `axis${marks}`),
+    circle,
+    drawText(bubble, axis.name, [0, 4], "axis-label middle"),
+    ...handles,
+  ];
 }
 
 function lineOf(from: Point, to: Point, name: string, at: Point): SVGElement[] {

@@ -24,11 +24,10 @@ import { type Handle, handlesOf } from "./interaction/handles";
 import { itemsAt } from "./interaction/hit-testing";
 import { snapPlaces } from "./interaction/snap-places";
 import { type Snapped, snap } from "./interaction/snapping";
-import { type Drawn, drawDimensions, drawItems } from "./rendering";
+import { type Drawn, drawDimensions, drawHandle, drawItems } from "./rendering";
 import { UnderlayLines } from "./underlay/underlay-lines";
 
 const REACH = 9; // px: how near is near enough
-const HANDLE = 8; // px: side of a handle
 const NOTHING_MARKED = { selected: [], hovered: null, faulty: [], loadCase: "" };
 const MARGIN = 42; // px around what is shown entirely
 const MARGIN_OF_AXES = 58;
@@ -44,6 +43,8 @@ export class Canvas {
   preview: Preview | null = null;
   /** Edits that are shown as if they were made, while an axis is dragged. */
   trial: readonly Edit[] = [];
+  /** What is said beside the pointer, while an axis is dragged. */
+  tip: { at: Point; text: string } | null = null;
   /** What an action would make, drawn faintly. */
   ghosts: readonly Item[] = [];
   /** The corners of the rubber band, the first where it began. */
@@ -159,7 +160,7 @@ export class Canvas {
 
   /** Return the axis whose bubble is under a pixel, null if none is. */
   axisAt(pixel: Point): Axis | null {
-    return this.hasAxes ? axisUnder(this.camera, this.items, this.buildingAxes, pixel) : null;
+    return this.hasAxes ? axisUnder(this.camera, this.items, this.buildingAxes, this.store.selected, pixel) : null;
   }
 
   /** The data that are drawn: those of the store, with what is tried. */
@@ -271,6 +272,7 @@ export class Canvas {
     if (selected && !preview) marks.push(...handlesOf(selected.geometry).map((handle) => this.drawHandle(handle)));
     if (preview && !preview.item) marks.push(...this.drawPreview(preview));
     if (this.guides) marks.push(...this.drawGuides(this.guides));
+    if (this.tip) marks.push(this.drawTip(this.tip.at, this.tip.text));
     if (this.band) marks.push(this.drawBand(this.band));
     return marks;
   }
@@ -294,8 +296,7 @@ export class Canvas {
     const isChosen = handle.kind === "corner" && handle.index === this.corner;
     const name = `handle ${handle.kind}${isChosen ? " chosen" : ""}`;
     if (handle.kind === "add" || handle.kind === "bend") return this.drawCircle(handle.at, 3.5, name);
-    const [x, y] = this.camera.toPixel(handle.at);
-    return svg("rect", { class: name, x: x - HANDLE / 2, y: y - HANDLE / 2, width: HANDLE, height: HANDLE });
+    return drawHandle(this.camera.toPixel(handle.at), name);
   }
 
   private drawPreview({ geometry }: Preview): SVGElement[] {
@@ -314,10 +315,15 @@ export class Canvas {
     const circle = onPoint
       ? [this.drawCircle(at, 6, "on-point"), drawText([x, y], name ?? "", [9, 18], "snap-name")]
       : [];
-    if (!this.preview?.text) return [...lines, ...circle];
+    return this.preview?.text ? [...lines, ...circle, this.drawTip(at, this.preview.text)] : [...lines, ...circle];
+  }
+
+  /** Draw words beside a place. */
+  private drawTip(at: Point, text: string): SVGElement {
+    const [x, y] = this.camera.toPixel(at);
     const atRight = x > this.camera.width - 220;
     const offset: Point = [atRight ? -14 : 14, y < 40 ? 26 : -14];
-    return [...lines, ...circle, drawText([x, y], this.preview.text, offset, atRight ? "tip end" : "tip")];
+    return drawText([x, y], text, offset, atRight ? "tip end" : "tip");
   }
 }
 

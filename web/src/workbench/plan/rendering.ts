@@ -5,10 +5,12 @@ import type { Camera } from "../../viewer/plan/camera";
 import { drawSymbol, drawText, type PlanSymbol } from "../../viewer/plan/symbols";
 import { svg } from "../../viewer/shared/dom";
 import { caseColor } from "../model/case-colors";
-import { isClosed, type Ring, readGeometry, ringOf } from "../model/geometry";
+import { isClosed, type Point, type Ring, readGeometry, ringOf } from "../model/geometry";
 import type { Item } from "../model/items";
 import { isTable, type Json, listAt, type Path, pathKey, samePath, startsWith } from "../model/paths";
 import { formatDecimals, parseLength } from "../model/quantities";
+
+const HANDLE = 8; // px: side of a handle
 
 /** Which items are drawn how. */
 export interface Highlights {
@@ -182,4 +184,9 @@ function isBox(ring: Ring): boolean {
   const [a, b, c, d] = ring;
   if (ring.length !== 4 || !a || !b || !c || !d) return false;
   return a[1] === b[1] && b[0] === c[0] && c[1] === d[1] && d[0] === a[0];
+}
+
+/** Draw a square handle about a pixel. */
+export function drawHandle([x, y]: Readonly<Point>, className = "handle"): SVGElement {
+  return svg("rect", { class: className, x: x - HANDLE / 2, y: y - HANDLE / 2, width: HANDLE, height: HANDLE });
 }

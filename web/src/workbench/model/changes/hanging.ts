@@ -108,3 +108,11 @@ export function axisEdits(data: Table, { path, position }: Axis, by: number): Ed
   const place = [origin[0] + by * Math.cos(angle), origin[1] + by * Math.sin(angle)];
   return [...edits, { op: "set", path: [...path, "origin"], value: place.map((each) => formatLength(each)) }];
 }
+
+/** Return the edits that turn a ray to an angle [degrees], null where it has none. */
+export function angleEdits(data: Table, { path, position }: Axis, angle: number): Edit[] | null {
+  const angles = listAt(data, [...path, "angles"]);
+  if (typeof angles[position] !== "number") return null;
+  const turned = angle >= 360 ? angle - 360 : angle < -180 ? angle + 360 : angle;
+  return [{ op: "set", path: [...path, "angles"], value: angles.with(position, Number(turned.toFixed(9))) }];
+}

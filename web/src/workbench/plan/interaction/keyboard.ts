@@ -95,10 +95,7 @@ export class Keyboard {
     if ((tools.current().draws === "nothing" && !pointer.isMoving) || this.store.broken) return false;
     if (this.typed && (key === "Enter" || key === "Escape")) {
       const isPlaced = key === "Escape" || pointer.placeTyped(this.typed);
-      this.showTyped(
-        "",
-        isPlaced ? "" : `Found "${this.typed}", expected a length such as 3.5 or a point such as 2;3.`,
-      );
+      this.showTyped("", isPlaced ? "" : `Found "${this.typed}", expected ${pointer.expected}.`);
       return true;
     }
     const typed = typeKey(this.typed, key);

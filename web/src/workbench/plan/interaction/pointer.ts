@@ -1,17 +1,15 @@
 // The pointer over the drawing: selecting, moving, reshaping, drawing, moving and zooming the view.
 import { isFar, pixelOf, Touches, zoomByWheel } from "../../../viewer/plan/navigation";
 import type { Store } from "../../client/store";
-import type { Axis } from "../../model/axes";
-import { axisEdits } from "../../model/changes/hanging";
-import type { Addition, Change, Edit } from "../../model/edits";
+import type { Addition, Change } from "../../model/edits";
 import type { Point } from "../../model/geometry";
 import { type Item, loadsOn } from "../../model/items";
 import { type Path, samePath } from "../../model/paths";
 import type { Canvas } from "../canvas";
 import type { Tool } from "../tools";
+import { AxisGesture } from "./axis-gesture";
 import { type DragGesture, DrawGesture, MoveGesture, ReshapeGesture } from "./gestures";
 import { itemsInBand } from "./rubber-band";
-import { roundTo } from "./snapping";
 import { alongAxis, typedPlace } from "./typed-input";
 
 const TYPED_REACH = 1e-9; // m: typed places are the same only if they are equal
@@ -29,7 +27,7 @@ type Press =
   | { kind: "pan" }
   | { kind: "item"; item: Item; start: Point; wasSelected: boolean; adds: boolean }
   | { kind: "drag"; gesture: DragGesture }
-  | { kind: "axis"; axis: Axis; start: Point; edits: readonly Edit[] }
+  | { kind: "axis"; gesture: AxisGesture; start: Point }
   | { kind: "band"; start: Point; before: readonly Path[] }
   | { kind: "empty"; start: Point; adds: boolean };
 
@@ -71,15 +69,21 @@ export class Pointer {
     if (this.drawing && this.drawing.points.length >= 2) this.complete();
   }
 
-  /** Whether items are being moved. */
+  /** Whether items or an axis are being moved. */
   get isMoving(): boolean {
-    return this.press?.kind === "drag" && this.press.gesture instanceof MoveGesture;
+    return (this.press?.kind === "drag" && this.press.gesture instanceof MoveGesture) || this.press?.kind === "axis";
+  }
+
+  /** What can be typed now, in words. */
+  get expected(): string {
+    return this.press?.kind === "axis" ? this.press.gesture.expected : "a length such as 3.5 or a point such as 2;3";
   }
 
   /** Go on drawing or moving at a place or by a length that was typed; returns whether it was one. */
   placeTyped(text: string): boolean {
     if (this.press?.kind === "drag" && this.press.gesture instanceof MoveGesture)
       return this.dropTyped(this.press.gesture, text);
+    if (this.press?.kind === "axis") return this.dropTypedAxis(this.press.gesture, text);
     const drawing = this.drawing ?? new DrawGesture(this.hooks.tool());
     const place = typedPlace(text, drawing.points.at(-1) ?? null, this.place);
     if (!place) return false;
@@ -103,6 +107,13 @@ export class Pointer {
     return true;
   }
 
+  private dropTypedAxis(gesture: AxisGesture, text: string): boolean {
+    if (!gesture.type(text)) return false;
+    this.press = null;
+    this.dropAxis(gesture);
+    return true;
+  }
+
   private drop(gesture: DragGesture): void {
     const change = gesture.change();
     this.canvas.preview = this.canvas.guides = null;
@@ -114,7 +125,7 @@ export class Pointer {
   cancel(): boolean {
     const isBusy = this.press !== null || this.drawing !== null;
     this.touches.clear();
-    this.press = this.drawing = this.canvas.preview = this.canvas.guides = this.canvas.band = null;
+    this.press = this.drawing = this.canvas.preview = this.canvas.guides = this.canvas.band = this.canvas.tip = null;
     this.canvas.trial = [];
     this.canvas.redraw();
     return isBusy;
@@ -149,7 +160,10 @@ export class Pointer {
       return { kind: "drag", gesture: new ReshapeGesture(selected, handle) };
     }
     const axis = canvas.axisAt(pixel);
-    if (axis) return { kind: "axis", axis, start: pixel, edits: [] };
+    if (axis) {
+      const gesture = new AxisGesture(store.data, axis, canvas.camera.toPlan(pixel));
+      return { kind: "axis", gesture, start: pixel };
+    }
     const items = canvas.itemsAt(pixel);
     const isRepeated = this.lastClick !== null && !isFar(this.lastClick, pixel);
     const own = isRepeated ? items.find((item) => samePath(item.path, store.selection)) : undefined;
@@ -173,7 +187,7 @@ export class Pointer {
     } else if (press?.kind === "item" || press?.kind === "empty") {
       if (isFar(press.start, pixel)) this.startDrag(press, pixel, event.pointerType === "touch");
     } else if (press?.kind === "band") this.stretchBand(press, pixel);
-    else if (press?.kind === "axis") this.dragAxis(press, pixel);
+    else if (press?.kind === "axis") this.dragAxis(press, pixel, event.altKey);
     else if (press) {
       const { gesture } = press;
       if (gesture instanceof ReshapeGesture) gesture.bends = event.ctrlKey || event.metaKey;
@@ -192,19 +206,14 @@ export class Pointer {
     } else this.hover(pixel);
   }
 
-  /** Move an axis sideways by round lengths, as far as its neighbors allow; what hangs on it follows. */
-  private dragAxis(press: Extract<Press, { kind: "axis" }>, pixel: Point): void {
+  /** Move or turn an axis, as far as its neighbors allow; what hangs on it follows. */
+  private dragAxis({ gesture, start }: Extract<Press, { kind: "axis" }>, pixel: Point, free: boolean): void {
     const { canvas, store } = this;
-    const { axis, start } = press;
-    if (store.broken || !isFar(start, pixel)) return;
-    const [from, to] = [canvas.camera.toPlan(start), canvas.camera.toPlan(pixel)];
-    const by = axis.direction
-      ? (to[0] - from[0]) * axis.direction[1] - (to[1] - from[1]) * axis.direction[0]
-      : Math.hypot(to[0] - axis.place[0], to[1] - axis.place[1]) - axis.radius;
-    const edits = axisEdits(store.data, axis, roundTo(by, canvas.step));
-    if (!edits) return;
-    press.edits = edits;
-    canvas.trial = edits;
+    const isHeld = gesture.edits.length === 0 && !isFar(start, pixel);
+    const to = canvas.camera.toPlan(pixel);
+    if (store.broken || isHeld || !gesture.moveTo(to, canvas.step, free)) return;
+    canvas.trial = gesture.edits;
+    canvas.tip = { at: to, text: gesture.text };
     canvas.redraw();
   }
 
@@ -259,7 +268,8 @@ export class Pointer {
     const { canvas } = this;
     const handle = canvas.handleAt(pixel);
     const item = handle ? null : (canvas.itemsAt(pixel)[0] ?? null);
-    const overItem = item && item.kind !== "slab" ? "item" : "";
+    const isAxis = !handle && canvas.axisAt(pixel) !== null;
+    const overItem = isAxis || (item && item.kind !== "slab") ? "item" : "";
     canvas.element.dataset.cursor = handle ? (handle.along ?? handle.kind) : overItem;
     if (samePath(canvas.hovered, item?.path ?? null)) return;
     canvas.hovered = item?.path ?? null;
@@ -281,7 +291,7 @@ export class Pointer {
     this.touches.delete(event.pointerId);
     this.press = null;
     if (this.drawing?.up(this.snapDrawing(this.drawing, pixel, event).at, canvas.reach)) this.complete();
-    if (press?.kind === "axis") this.dropAxis(press);
+    if (press?.kind === "axis") this.dropAxis(press.gesture);
     else if (press?.kind === "drag") this.drop(press.gesture);
     else if (press?.kind === "band") {
       canvas.band = null;
@@ -292,10 +302,12 @@ export class Pointer {
   }
 
   /** Select the family of an axis, and make its move. */
-  private dropAxis({ axis, edits }: Extract<Press, { kind: "axis" }>): void {
+  private dropAxis(gesture: AxisGesture): void {
+    const change = gesture.change();
     this.canvas.trial = [];
-    if (edits.length > 0) this.hooks.push({ edits: [...edits], text: `move axis ${axis.name}` });
-    this.store.select(axis.path);
+    this.canvas.tip = null;
+    if (change) this.hooks.push(change);
+    this.store.select(gesture.axis.path);
     this.canvas.redraw();
   }
 
