@@ -63,6 +63,11 @@ const SOURCES: readonly Source[] = [
   { kind: "output point", list: ["output", "points"] },
 ];
 
+/** Whether an item fills the view like the slab. */
+export function isPlate({ kind }: Item): boolean {
+  return kind === "slab" || kind === "plate";
+}
+
 /** What items are called. */
 export const ITEM_WORDS: readonly string[] = SOURCES.map(({ word, kind }) => word ?? kind);
 

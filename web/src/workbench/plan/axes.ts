@@ -7,7 +7,7 @@ import { drawPath, drawText } from "../../viewer/plan/symbols";
 import { svg } from "../../viewer/shared/dom";
 import type { Axis } from "../model/axes";
 import { boundsOf, type Geometry, quarterPoints, rectangleCorners, ringOf } from "../model/geometry";
-import { boundsOfItems, type Item } from "../model/items";
+import { boundsOfItems, type Item, isPlate } from "../model/items";
 import { type Path, samePath } from "../model/paths";
 import { formatDecimals } from "../model/quantities";
 import { drawHandle } from "./rendering";
@@ -63,16 +63,20 @@ interface DrawnAxis {
   grips: Point[];
 }
 
-/** Draw the axes with their names, and the dimensions between them, the edges of the slab, and in all. */
-export function drawAxes(
+/** Draw the axes of the building with their names, those that are selected with handles. */
+export function drawBuildingAxes(
   camera: Camera,
   items: readonly Item[],
   building: readonly Axis[],
   selected: readonly Path[],
 ): SVGElement[] {
+  return place(camera, items, building).flatMap((each) => drawOne(each, isSelected(each.axis, selected)));
+}
+
+/** Draw the dimensions between axes, the edges of the slab, and in all; axes of columns where the building has none. */
+export function drawDimensionChains(camera: Camera, items: readonly Item[], building: readonly Axis[]): SVGElement[] {
   const bounds = boundsOfPlates(items);
-  const drawn = place(camera, items, building).flatMap((each) => drawOne(each, isSelected(each.axis, selected)));
-  if (!bounds) return drawn;
+  if (!bounds) return [];
   const [x0, y0, x1, y1] = bounds;
   const [left, bottom] = camera.toPixel([x0, y0]);
   const [right, top] = camera.toPixel([x1, y1]);
@@ -88,7 +92,7 @@ export function drawAxes(
   const chainY = chainOf(y0, y1, ys).map((places, n) =>
     drawChain(places, (y) => [left - CHAINS[n]!, camera.toPixel([0, y])[1]], true),
   );
-  return [...drawn, ...lines, ...chainX.flat(), ...chainY.flat()];
+  return [...lines, ...chainX.flat(), ...chainY.flat()];
 }
 
 /** Return the axis of the building whose bubble is under a pixel, or a handle if it is selected; null if none is. */
@@ -110,7 +114,7 @@ function isSelected(axis: Axis, selected: readonly Path[]): boolean {
 }
 
 function boundsOfPlates(items: readonly Item[]) {
-  return boundsOfItems(items.filter(({ kind }) => kind === "slab" || kind === "plate"));
+  return boundsOfItems(items.filter(isPlate));
 }
 
 /** Return the places of axes of the building that run along y (0) or x (1). */

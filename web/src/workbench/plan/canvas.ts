@@ -13,11 +13,11 @@ import { type Axis, axesIn, crossingsOf, distanceTo, nearestOn } from "../model/
 import { applyOptimistic } from "../model/changes/optimistic-edits";
 import type { Edit } from "../model/edits";
 import { type Geometry, isClosed, type Point, rectangleCorners, ringOf } from "../model/geometry";
-import { boundsOfItems, footprintOf, type Item, itemsOf } from "../model/items";
+import { boundsOfItems, footprintOf, type Item, isPlate, itemsOf } from "../model/items";
 import { namesIn } from "../model/names";
 import { listAt, type Path, pathKey, type Table } from "../model/paths";
 import type { Underlay } from "../model/survey";
-import { axisUnder, drawAxes } from "./axes";
+import { axisUnder, drawBuildingAxes, drawDimensionChains } from "./axes";
 import { drawDistances } from "./distances";
 import { type Preview, shownBy } from "./interaction/gestures";
 import { type Handle, handlesOf } from "./interaction/handles";
@@ -56,12 +56,18 @@ export class Canvas {
   /** Whether axes and dimensions are drawn. */
   hasAxes = readStored(AXES) !== "no";
   private readonly grid = svg("g");
+  private readonly chains = svg("g");
+  private readonly plates = svg("g");
   private readonly axes = svg("g");
   private readonly below = svg("g");
   private underlay: UnderlayLines | null = null;
   private readonly symbols = svg("g");
   private readonly marks = svg("g");
-  private readonly moving = svg("svg", { class: "moving" }, this.below, this.axes, this.symbols, this.marks);
+  private readonly moving = svg(
+    "svg",
+    { class: "moving" },
+    ...[this.below, this.chains, this.plates, this.axes, this.symbols, this.marks],
+  );
   private readonly rulers = svg("g");
   private readonly motion = new Motion(() => this.redraw());
   private drawnBy: Camera | null = null;
@@ -254,10 +260,20 @@ export class Canvas {
       cases: namesIn(listAt(store.data, ["cases"])),
     };
     this.below.replaceChildren(...(this.underlay ? [this.underlay.draw(camera)] : []));
-    this.axes.replaceChildren(...(this.hasAxes ? drawAxes(camera, shown, this.buildingAxes, store.selected) : []));
     if (!this.drawnBy?.isAt(camera)) this.drawings.clear();
     this.drawnBy = camera.copy();
-    keepChildren(this.symbols, drawItems(camera, shown, highlights, this.drawings));
+    const axes = this.hasAxes ? this.buildingAxes : [];
+    this.chains.replaceChildren(...(this.hasAxes ? drawDimensionChains(camera, shown, axes) : []));
+    this.axes.replaceChildren(...drawBuildingAxes(camera, shown, axes, store.selected));
+    const drawn = drawItems(camera, shown, highlights, this.drawings);
+    keepChildren(
+      this.plates,
+      drawn.filter((_, n) => isPlate(shown[n]!)),
+    );
+    keepChildren(
+      this.symbols,
+      drawn.filter((_, n) => !isPlate(shown[n]!)),
+    );
     const ghosts = svg("g", { class: "ghosts" }, ...drawItems(camera, this.ghosts, { ...NOTHING_MARKED }));
     this.marks.replaceChildren(ghosts, ...this.drawMarks(shown.filter((item) => store.isSelected(item.path))));
   }

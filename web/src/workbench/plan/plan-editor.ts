@@ -21,6 +21,8 @@ import { underlayBar } from "./underlay/underlay-bar";
 import "./plan-editor.css";
 
 const EMPTY = "Draw the slab: choose Slab (B), then drag a rectangle or click the corners one by one.";
+const HOW_AXES =
+  "Drag the circles or handles of axes to move or turn them; to place one exactly, type while dragging and press Enter.";
 const HOW_MANY = "Drag or use the arrow keys to move them; press Delete to remove them.";
 
 export interface PlanEditor {
@@ -71,7 +73,8 @@ export function planEditor(store: Store, context: FormContext, send: (change: Ch
     dialog.close();
     canvas.corner = null;
     canvas.redraw();
-    showHint(describeSelection(canvas) ?? tools.current().hint);
+    const isOfAxes = store.selection?.[0] === "axes";
+    showHint(describeSelection(canvas) ?? (isOfAxes ? HOW_AXES : tools.current().hint));
   });
   store.on(["data", "selection"], () => {
     loads.update();

@@ -17,8 +17,6 @@ export class AxisGesture {
   edits: readonly Edit[] = [];
   /** Where it would be, in words. */
   text = "";
-  /** What can be typed, in words. */
-  readonly expected: string;
   private readonly before: number;
 
   constructor(
@@ -26,7 +24,6 @@ export class AxisGesture {
     readonly axis: Axis,
     private readonly start: Point,
   ) {
-    this.expected = axis.ray ? "an angle such as 30" : "a length such as 3.5 that ends before the next axis";
     this.before = this.valueBefore();
   }
 
@@ -44,8 +41,16 @@ export class AxisGesture {
 
   /** Return the change that was made, null for none. */
   change(): Change | null {
-    const verb = this.axis.ray ? "turn" : "move";
-    return this.edits.length > 0 ? { edits: [...this.edits], text: `${verb} axis ${this.axis.name}` } : null;
+    const { name, ray } = this.axis;
+    const text = ray ? `turn axis ${name}` : `move axis ${name}`;
+    return this.edits.length > 0 ? { edits: [...this.edits], text } : null;
+  }
+
+  /** Return why what was typed is no value, in words. */
+  refusal(typed: string): string {
+    return this.axis.ray
+      ? `Found "${typed}", expected an angle such as 30.`
+      : `Found "${typed}", expected a length such as 3.5 that ends before the next axis.`;
   }
 
   private take(value: number): boolean {
@@ -88,14 +93,15 @@ export class AxisGesture {
     return this.isFirst ? -across : across;
   }
 
+  /** Return a value with what it is of, in symbols. */
   private describe(value: number): string {
     const { axis, data } = this;
     if (axis.ray) return `${axis.name}: ${formatDecimals(value, 3)}°`;
     const length = `${formatDecimals(value, 3)} m`;
-    if (!axis.direction) return `${axis.name}: radius ${length}`;
+    if (!axis.direction) return `${axis.name}: R = ${length}`;
     const family = axesIn(data).filter(({ path }) => samePath(path, axis.path));
-    const neighbor = family[this.isFirst ? 1 : axis.position - 1]?.name ?? "";
-    return `${axis.name}: ${length} ${this.isFirst ? "to" : "from"} ${neighbor}`;
+    const first = this.isFirst ? 0 : axis.position - 1;
+    return `${family[first]!.name} – ${family[first + 1]!.name}: ${length}`;
   }
 }
 

@@ -95,7 +95,7 @@ export class Keyboard {
     if ((tools.current().draws === "nothing" && !pointer.isMoving) || this.store.broken) return false;
     if (this.typed && (key === "Enter" || key === "Escape")) {
       const isPlaced = key === "Escape" || pointer.placeTyped(this.typed);
-      this.showTyped("", isPlaced ? "" : `Found "${this.typed}", expected ${pointer.expected}.`);
+      this.showTyped("", isPlaced ? "" : pointer.refusal(this.typed));
       return true;
     }
     const typed = typeKey(this.typed, key);

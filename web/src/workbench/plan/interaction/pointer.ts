@@ -3,7 +3,7 @@ import { isFar, pixelOf, Touches, zoomByWheel } from "../../../viewer/plan/navig
 import type { Store } from "../../client/store";
 import type { Addition, Change } from "../../model/edits";
 import type { Point } from "../../model/geometry";
-import { type Item, loadsOn } from "../../model/items";
+import { type Item, isPlate, loadsOn } from "../../model/items";
 import { type Path, samePath } from "../../model/paths";
 import type { Canvas } from "../canvas";
 import type { Tool } from "../tools";
@@ -74,9 +74,10 @@ export class Pointer {
     return (this.press?.kind === "drag" && this.press.gesture instanceof MoveGesture) || this.press?.kind === "axis";
   }
 
-  /** What can be typed now, in words. */
-  get expected(): string {
-    return this.press?.kind === "axis" ? this.press.gesture.expected : "a length such as 3.5 or a point such as 2;3";
+  /** Return why what was typed is nothing that can be placed, in words. */
+  refusal(typed: string): string {
+    if (this.press?.kind === "axis") return this.press.gesture.refusal(typed);
+    return `Found "${typed}", expected a length such as 3.5 or a point such as 2;3.`;
   }
 
   /** Go on drawing or moving at a place or by a length that was typed; returns whether it was one. */
@@ -326,11 +327,6 @@ export class Pointer {
     this.cancel();
     if (addition) this.hooks.onDrawn(addition);
   }
-}
-
-/** Whether an item fills the view like the slab, so that it is dragged only if it is selected. */
-function isPlate({ kind }: Item): boolean {
-  return kind === "slab" || kind === "plate";
 }
 
 /** Return why an item cannot be moved. */

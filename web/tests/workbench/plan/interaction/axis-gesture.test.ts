@@ -37,14 +37,14 @@ describe("an axis that is dragged", () => {
   it("moves by round distances from its neighbor, or where Alt is held by millimeters", () => {
     const gesture = grip(GRID, "B", [6.03, 8]);
     expect(gesture.moveTo([6.56, 8.4], 0.1, false)).toBe(true);
-    expect(gesture.text).toBe("B: 6.5 m from A");
+    expect(gesture.text).toBe("A – B: 6.5 m");
     expect(gesture.change()).toEqual({
       edits: [{ op: "set", path: ["axes", 0, "distances"], value: "6.5 m, 5.5 m" }],
       text: "move axis B",
     });
     expect(columnAfter(GRID, gesture)).toEqual([6.5, 5]);
     gesture.moveTo([6.0424, 8.4], 0.1, true);
-    expect(gesture.text).toBe("B: 6.012 m from A");
+    expect(gesture.text).toBe("A – B: 6.012 m");
   });
 
   it("stays before its neighbors, and where it was is no change", () => {
@@ -57,7 +57,7 @@ describe("an axis that is dragged", () => {
   it("takes its origin along if it is the first, whose distance is that to the next", () => {
     const gesture = grip(GRID, "1", [-1, 0]);
     gesture.moveTo([-1, -0.5], 0.1, false);
-    expect(gesture.text).toBe("1: 5.5 m to 2");
+    expect(gesture.text).toBe("1 – 2: 5.5 m");
     expect(gesture.edits).toContainEqual({ op: "set", path: ["axes", 1, "origin"], value: ["0 m", "-0.5 m"] });
     expect(columnAfter(GRID, gesture)).toEqual([6, 5]);
   });
@@ -76,7 +76,7 @@ describe("an axis that is dragged", () => {
   it("gets another radius if it is a ring, from wherever it is held", () => {
     const gesture = grip(POLAR, "A", [1, -1]);
     gesture.moveTo([1.5, -2.03], 0.1, false);
-    expect(gesture.text).toBe("A: radius 3.1 m");
+    expect(gesture.text).toBe("A: R = 3.1 m");
     expect(gesture.edits).toEqual([{ op: "set", path: ["axes", 1, "distances"], value: "3.1 m, 1.9 m" }]);
     expect(columnAfter(POLAR, gesture)).toEqual([1, 4.1]);
     expect(gesture.moveTo([1, -4.5], 0.1, false)).toBe(false);
@@ -85,13 +85,13 @@ describe("an axis that is dragged", () => {
   it("takes what is typed: a distance, a radius or an angle", () => {
     const typed = (data: Table, name: string, text: string) => {
       const gesture = grip(data, name, [0, 0]);
-      return gesture.type(text) ? gesture.text : gesture.expected;
+      return gesture.type(text) ? gesture.text : gesture.refusal(text);
     };
-    expect(typed(GRID, "C", "7,25")).toBe("C: 7.25 m from B");
-    expect(typed(GRID, "A", "450 cm")).toBe("A: 4.5 m to B");
-    expect(typed(POLAR, "B", "6")).toBe("B: radius 6 m");
+    expect(typed(GRID, "C", "7,25")).toBe("B – C: 7.25 m");
+    expect(typed(GRID, "A", "450 cm")).toBe("A – B: 4.5 m");
+    expect(typed(POLAR, "B", "6")).toBe("B: R = 6 m");
     expect(typed(POLAR, "2", "-30")).toBe("2: -30°");
-    expect(typed(POLAR, "2", "45 m")).toBe("an angle such as 30");
-    expect(typed(GRID, "B", "13")).toBe("a length such as 3.5 that ends before the next axis");
+    expect(typed(POLAR, "2", "45 m")).toBe('Found "45 m", expected an angle such as 30.');
+    expect(typed(GRID, "B", "13")).toBe('Found "13", expected a length such as 3.5 that ends before the next axis.');
   });
 });
