@@ -18,6 +18,7 @@ const PAPER = { width: 540, maxHeight: 640, ratio: 4 } as const;
 const LAYERS: readonly [keyof Layers, string][] = [
   ["loads", "loads"],
   ["columns", "columns"],
+  ["axes", "axes"],
   ["supports", "supports"],
   ["zones", "zones"],
   ["ground", "ground"],

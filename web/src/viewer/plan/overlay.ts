@@ -90,7 +90,7 @@ export class Overlay {
   drawRulers(camera: Camera, layers: Layers, lengths: Lengths): void {
     this.rulers.setAttribute("viewBox", `0 0 ${camera.width} ${camera.height}`);
     this.rulers.replaceChildren(
-      ...(layers.axes ? [...drawRulers(camera, lengths), ...drawScaleBar(camera, lengths)] : []),
+      ...(layers.rulers ? [...drawRulers(camera, lengths), ...drawScaleBar(camera, lengths)] : []),
     );
   }
 }

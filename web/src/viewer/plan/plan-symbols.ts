@@ -16,7 +16,8 @@ export const ALL_LAYERS = {
   labels: true,
   numbers: true, // on contours and on a raster
   extremes: true, // where the shown field has its minimum and maximum
-  axes: true,
+  axes: true, // of the building
+  rulers: true, // along the edges of the picture, and the scale bar
 };
 export type Layers = typeof ALL_LAYERS;
 
@@ -55,7 +56,7 @@ export function symbolsOf(plan: Plan, layers: Layers, factors: ReadonlyMap<strin
     area("slab", { ring: plan.outline }),
     ...further.map(({ ring }) => area("slab", { ring })),
     ...openings.map((each) => area("opening", each)),
-    ...(layers.columns ? (plan.axes ?? []).map(axisSymbol) : []),
+    ...(layers.axes ? (plan.axes ?? []).map(axisSymbol) : []),
     ...(layers.output ? output : []),
     ...(layers.loads ? labelLoads(plan.loads, factors).flatMap(({ load, text }) => loadSymbol(load, text)) : []),
     ...(layers.supports ? supports : []),

@@ -16,7 +16,7 @@ export function stepOf(camera: Camera, pixels: number): number {
   return roundStepOf([1, 2, 5], pixels / camera.scale);
 }
 
-/** Draw grid lines, stronger ones at the figures, and the axes through the origin. */
+/** Draw grid lines, stronger ones at the figures, and the lines through the origin. */
 export function drawGrid(camera: Camera): SVGElement[] {
   const { width, height } = camera;
   const [x0, y0, x1, y1] = camera.box;
@@ -30,7 +30,7 @@ export function drawGrid(camera: Camera): SVGElement[] {
   return [
     drawStep(stepOf(camera, FINE), "grid fine"),
     drawStep(stepOf(camera, COARSE), "grid"),
-    drawLines([0], [0], "axes"),
+    drawLines([0], [0], "origin"),
   ];
 }
 

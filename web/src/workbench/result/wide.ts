@@ -1,8 +1,8 @@
 // Results over the entire width of the page, the model hidden.
 import { button } from "../../viewer/shared/dom";
 
-/** Elements that letters are typed into. */
-const TYPED: readonly string[] = ["input", "select", "textarea"];
+/** Inputs that no letters are typed into. */
+const CHOSEN: readonly string[] = ["checkbox", "radio", "range", "button"];
 
 /** Make the button that gives the results the entire width, or half of it again; so does the key F. */
 export function wideButton(result: HTMLElement): HTMLButtonElement {
@@ -15,9 +15,18 @@ export function wideButton(result: HTMLElement): HTMLButtonElement {
   document.addEventListener("keydown", (event) => {
     const { key, target } = event;
     if (key.toLowerCase() !== "f" || event.ctrlKey || event.metaKey || event.altKey || !made.checkVisibility()) return;
-    if (!(target instanceof Element)) return;
-    const isOther = TYPED.includes(target.localName) || target.closest(".model") || target.closest("dialog");
-    if (!isOther) toggle();
+    if (!(target instanceof Element) || takesLetter(target, key)) return;
+    if (target.closest(".model") || target.closest("dialog")) return;
+    event.preventDefault(); // a choice would look for an option of that letter
+    toggle();
   });
   return made;
+}
+
+/** Whether a letter means something where it is typed: in a choice that keys are used in, if an option begins with it. */
+export function takesLetter(target: Element, key: string): boolean {
+  if (target instanceof HTMLInputElement) return !CHOSEN.includes(target.type);
+  if (!(target instanceof HTMLSelectElement)) return target.localName === "textarea";
+  const isByKeys = document.documentElement.dataset.input !== "pointer";
+  return isByKeys && [...target.options].some(({ text }) => text.toLowerCase().startsWith(key.toLowerCase()));
 }
