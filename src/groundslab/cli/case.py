@@ -116,7 +116,7 @@ def _check_as_json(file: str) -> int:
 def _structure_and_supports(model: Model) -> list[str]:
     """Return the columns, walls, beams, building and supports of a model in words, a line each."""
     from groundslab.geometry.plan import format_place
-    from groundslab.model.axes.hanging import name_of_crossing
+    from groundslab.model.axes.crossings import name_of_crossing
 
     lines = []
     for column in model.columns:

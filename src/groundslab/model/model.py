@@ -12,8 +12,8 @@ from typing import Annotated, Any, ClassVar, Self
 from groundslab.geometry.plan import Place, Ring, Segment
 from groundslab.languages import Language
 from groundslab.model import consistency, varying_ground
+from groundslab.model.axes.crossings import attach_to_axes
 from groundslab.model.axes.families import AxesFamily, check_axes
-from groundslab.model.axes.hanging import hang
 from groundslab.model.design.floors import Floor, check_floor
 from groundslab.model.design.limits import Limits, SoilStrength
 from groundslab.model.design.reinforcement import Reinforcement, check_bar_distances, check_bar_zones
@@ -107,7 +107,10 @@ class Model(Section):
     joints: Annotated[tuple[Joint, ...], Table("joints between plates that share a line of their outlines", 1000)] = ()
     axes: Annotated[
         tuple[AxesFamily, ...],
-        Table("axes of the building, drawn in plans; columns, walls, beams, supports and loads may hang on them", 100),
+        Table(
+            "axes of the building, drawn in plans; columns, walls, beams, supports and loads may be attached to them",
+            100,
+        ),
     ] = ()
     ground: Annotated[Ground, Table("the ground under the plate")]
     beyond: Annotated[Beyond, Table("ground beyond the plate, without effect where it carries no shear")] = Beyond()
@@ -172,8 +175,8 @@ class Model(Section):
 
     @classmethod
     def complete(cls, data: Mapping[Any, Any]) -> Mapping[Any, Any]:
-        """Find the places of what hangs on axes."""
-        return hang(data)
+        """Find the places of what is attached to axes."""
+        return attach_to_axes(data)
 
     @property
     def origin(self) -> tuple[float, float]:

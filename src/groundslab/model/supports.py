@@ -7,7 +7,7 @@ from itertools import pairwise
 from typing import Annotated, ClassVar, Literal
 
 from groundslab.geometry.plan import Plan, Ring, Segment, format_place
-from groundslab.model.axes.hanging import AtCrossing, AtCrossings
+from groundslab.model.axes.crossings import AtCrossing, AtCrossings
 from groundslab.model.ground import POSITIVE, AnyGround, ContinuousGround
 from groundslab.model.plate import Plate
 from groundslab.model.plates.further import FurtherPlate, first_sections, list_plates

@@ -105,6 +105,7 @@ class Section(metaclass=SectionType):
             needs = _needs(check)
             if known >= needs:
                 relative_issues += check(**{name: given if name == "given" else sound[name] for name in needs})
+        relative_issues = _say_what_follows(cls, data, relative_issues)
         if relative_issues:
             raise FieldError(*_limit_issues(relative_issues))
         return cls._of(sound, data.keys())
@@ -238,6 +239,20 @@ def _read_one(field: Field, value: Any, from_file: bool) -> Any:
     if part is None:
         raise FieldError(_no_kind(parts, value))
     return part.read(value, from_file)
+
+
+def _say_what_follows(
+    cls: type[Section], data: Mapping[Any, Any], relative_issues: list[RelativeIssue]
+) -> list[RelativeIssue]:
+    """Return issues with one for each key whose keys that follow are lacking, instead of theirs."""
+    alone = {name: keys for name, keys in cls.follow.items() if data.get(name) and not data.keys() & set(keys)}
+    lacking = {key for keys in alone.values() for key in keys}
+    others = [issue for issue in relative_issues if not lacking.intersection(issue.place[:1])]
+    hint = f"it is found in a model alone: give the model a dict of these keys instead of a {cls.__name__}"
+    return others + [
+        RelativeIssue((name,), f"{describe(data[name])} without a model", listed(keys, "and"), hint)
+        for name, keys in alone.items()
+    ]
 
 
 @cache

@@ -1,4 +1,4 @@
-"""Axes of a building: where they are and cross, what hangs on them, and which references are refused."""
+"""Axes of a building: where they are and cross, what is attached to them, and which references are refused."""
 
 from __future__ import annotations
 
@@ -7,14 +7,25 @@ from typing import Any
 
 import pytest
 
-from groundslab import InputError, Model
+from groundslab import (
+    Column,
+    InputError,
+    LineLoad,
+    Model,
+    Plate,
+    PointLoad,
+    PointSupport,
+    Wall,
+    Winkler,
+)
 from groundslab.analysis.driver import solve
 from groundslab.case import casefile
 from groundslab.design.tables.structure.columns import column_table
+from groundslab.model.axes.crossings import name_of_crossing
 from groundslab.model.axes.drawn import drawn_axes
 from groundslab.model.axes.families import RayAxes, RingAxes, StraightAxes, count_on, crossings
-from groundslab.model.axes.hanging import name_of_crossing
 from groundslab.model.plan_origin import move_to_center
+from groundslab.schema.base import Section
 
 LETTERS = {"kind": "straight", "first": "A", "distances": "2 x 6 m, 4.5 m"}
 NUMBERS = {"kind": "straight", "first": "1", "distances": "5 m, 7 m", "angle": 90}
@@ -144,6 +155,43 @@ def test_references_and_axes_that_are_wrong_are_refused(parts: dict[str, Any], w
     assert found in issue.found
 
 
+@pytest.mark.parametrize(
+    ("part", "keys"),
+    [
+        (Column, {"name": "C1", "at": "B/2", "diameter": 0.4}),
+        (PointLoad, {"P": 1e3, "at": "B/2"}),
+        (PointSupport, {"at": "B/2"}),
+        (Wall, {"name": "W1", "at": ["A/1", "B/1"], "thickness": 0.2}),
+        (LineLoad, {"q": 1e3, "at": ["A/1", "B/1"]}),
+    ],
+    ids=lambda each: getattr(each, "__name__", ""),
+)
+def test_a_part_by_itself_finds_no_crossing(part: type[Section], keys: dict[str, Any]) -> None:
+    """It knows no axes: that is said once, at the key, with other faults; a model takes the same keys as a dict."""
+    with pytest.raises(InputError) as refused:
+        part(**keys, nonsense=1)
+    (unknown, issue) = refused.value.issues
+    assert (unknown.location, issue.location) == (f"{part.__name__}.nonsense", f"{part.__name__}.at")
+    assert "without a model" in issue.found
+    assert issue.expected == ("points" if isinstance(keys["at"], list) else "x and y")
+    assert f"instead of a {part.__name__}" in issue.hint
+
+
+def test_a_model_in_python_places_parts_on_axes() -> None:
+    """Dicts among sections are placed on axes in SI units, and move with these when the model is made anew."""
+    bay = StraightAxes(first="A", distances=[6.0, 6.0])
+    model = Model(
+        plate=Plate(length_x=16, length_y=12, thickness=0.3, E=30e9, nu=0.2),
+        ground=Winkler(k=20e6),
+        axes=[bay, StraightAxes(first="1", distances=[5.0], angle=90)],
+        columns=[{"name": "C1", "at": "B/2", "diameter": 0.4}, Column(name="C2", x=-1.0, y=-1.0, diameter=0.4)],
+        loads=[PointLoad(P=1e6, column="C1"), {"kind": "line", "q": 1e4, "at": ["A/1", "B/1"]}],
+    )
+    wider = model.replace(axes=[bay.replace(distances=[7.0, 6.0]), model.axes[1]])
+    assert [(each.columns[0].x, each.columns[0].y) for each in (model, wider)] == [(6.0, 5.0), (7.0, 5.0)]
+    assert wider.loads[1].points == ((0.0, 0.0), (7.0, 0.0))
+
+
 def test_a_ring_crossed_twice_is_no_place() -> None:
     """A straight axis crosses a ring at two places, which is said."""
     rings = {"kind": "ring", "first": "R1", "centre": ["6 m", "5 m"], "distances": "2 m"}
@@ -192,8 +240,8 @@ def test_results_do_not_depend_on_how_a_column_is_placed() -> None:
     loads = [{"kind": "point", "column": "C1", "P": "500 kN"}]
     mesh = {"size": "2 m"}
     plain = {"name": "C1", "x": "6 m", "y": "5 m", **SIZE}
-    hung = solve(read(columns=[{"name": "C1", "at": "B/2", **SIZE}], loads=loads, mesh=mesh))
+    attached = solve(read(columns=[{"name": "C1", "at": "B/2", **SIZE}], loads=loads, mesh=mesh))
     free = solve(read(columns=[plain], loads=loads, mesh=mesh, axes=[]))
-    (one,), (other,) = hung.results.values(), free.results.values()
+    (one,), (other,) = attached.results.values(), free.results.values()
     assert one.plate.settlement.tolist() == other.plate.settlement.tolist()
-    assert column_table(hung)["axes"] == ("B/2",)
+    assert column_table(attached)["axes"] == ("B/2",)

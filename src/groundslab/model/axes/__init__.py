@@ -1,1 +1,1 @@
-"""Axes of a building, and what hangs on their crossings."""
+"""Axes of a building, and what is attached to their crossings."""

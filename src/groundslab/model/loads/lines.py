@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Annotated, ClassVar, Literal, TypeVar
 
-from groundslab.model.axes.hanging import AtCrossings
+from groundslab.model.axes.crossings import AtCrossings
 from groundslab.model.ground import POSITIVE
 from groundslab.model.loads.acting import LineForce
 from groundslab.model.loads.base import Magnitude, Source, _Load

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated, ClassVar, Literal, TypeGuard
 
 from groundslab.geometry.areas import equal_area_polygon
 from groundslab.geometry.plan import rectangle
-from groundslab.model.axes.hanging import AtCrossing
+from groundslab.model.axes.crossings import AtCrossing
 from groundslab.model.ground import POSITIVE
 from groundslab.model.loads.acting import (
     AreaPressure,

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
 
 from groundslab.geometry.plan import Segment
-from groundslab.model.axes.hanging import AtCrossings
+from groundslab.model.axes.crossings import AtCrossings
 from groundslab.model.ground import POISSON, POSITIVE
 from groundslab.model.shapes import AnyShape
 from groundslab.model.structure.lines import (

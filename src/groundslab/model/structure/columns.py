@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, ClassVar
 
 from groundslab.geometry.plan import Place, Ring, circle
 from groundslab.geometry.rectangles import extents_at, rectangle_at
-from groundslab.model.axes.hanging import AtCrossing
+from groundslab.model.axes.crossings import AtCrossing
 from groundslab.model.ground import POSITIVE
 from groundslab.schema.base import Check, Section
 from groundslab.schema.fields import Number, Quantity, Text

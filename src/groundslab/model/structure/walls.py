@@ -10,7 +10,7 @@ import numpy as np
 
 from groundslab.geometry.offsets import parallel
 from groundslab.geometry.plan import Segment
-from groundslab.model.axes.hanging import AtCrossings
+from groundslab.model.axes.crossings import AtCrossings
 from groundslab.model.ground import POISSON, POSITIVE
 from groundslab.model.plates.further import AnyPlate
 from groundslab.model.shapes import AnyShape

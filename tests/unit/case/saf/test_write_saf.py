@@ -117,7 +117,7 @@ def same_slab(model: gs.Model, read: gs.Model) -> None:
     assert (other.thickness, other.E, other.nu) == pytest.approx((one.thickness, one.E, one.nu), rel=1e-12)
     assert [shape.ring().area for shape in other.openings] == [shape.ring().area for shape in one.openings]
     assert other.zones == one.zones
-    # axes have no place in the format: columns are where they are, but hang on none
+    # axes have no place in the format: columns are where they are, but attached to none
     assert read.columns == tuple(column.replace(at="") for column in model.columns)
     assert [wall.thickness for wall in read.walls] == [
         wall.thickness for wall in model.placed_walls for _ in wall.edges

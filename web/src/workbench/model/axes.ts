@@ -1,4 +1,4 @@
-// Axes of the building: where they are and cross, and the places of what hangs on them, as the server finds them.
+// Axes of the building: where they are and cross, and the places of what is attached to them, as the server finds them.
 import { isTable, type Json, listAt, type Path, type Table } from "./paths";
 import { parseLength, parsePoint } from "./quantities";
 
@@ -179,15 +179,15 @@ export function nearestOn({ place: [x, y], direction, radius, ray }: Axis, at: P
   return [x + along * direction[0], y + along * direction[1]];
 }
 
-/** Return the places through which something hangs on axes: one of a point; null if it hangs on none that are known. */
-export function hungPlaces(table: Table, axes: readonly Axis[]): Point[] | null {
+/** Return the places at which something is attached to axes: one of a point; null if it is to none that are known. */
+export function attachedPlaces(table: Table, axes: readonly Axis[]): Point[] | null {
   if (table.at === undefined || table.at === "") return null;
   const texts = Array.isArray(table.at) ? table.at : [table.at];
   const places = texts.map((text) => crossingOf(text, axes));
   return places.length > 0 && places.every((place) => place !== null) ? (places as Point[]) : null;
 }
 
-/** Whether something hangs on axes. */
-export function isHung({ at }: Table): boolean {
+/** Whether something is attached to axes. */
+export function isAttached({ at }: Table): boolean {
   return Array.isArray(at) ? at.length > 0 : at !== undefined && at !== "";
 }

@@ -2,7 +2,7 @@
 
 import { type Box, boxAround } from "../../viewer/data/boxes";
 import { distanceBetween, offset, pointBetween } from "../../viewer/data/points";
-import { axesIn, hungPlaces, isHung } from "./axes";
+import { attachedPlaces, axesIn, isAttached } from "./axes";
 import type { Edit } from "./edits";
 import { isTable, type Json, listAt, type Path, type Table, valueAt } from "./paths";
 import { parseLength, parsePoint, parsePoints } from "./quantities";
@@ -27,8 +27,8 @@ export type Geometry =
 export function readGeometry(data: Json, at: Path): Geometry | null {
   const table = valueAt(data, at);
   if (!isTable(table)) return null;
-  if (isHung(table)) {
-    const places = hungPlaces(table, axesIn(data));
+  if (isAttached(table)) {
+    const places = attachedPlaces(table, axesIn(data));
     if (!places) return null;
     return Array.isArray(table.at)
       ? { type: "line", at, points: places, bulges: bulgesOf(table) }

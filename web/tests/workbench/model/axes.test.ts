@@ -8,7 +8,7 @@ import {
   nameOfCrossing,
   parseDistances,
 } from "../../../src/workbench/model/axes";
-import { axisEdits, formatDistances, hangOn, takeOff } from "../../../src/workbench/model/changes/hanging";
+import { attach, axisEdits, detach, formatDistances } from "../../../src/workbench/model/changes/attachment";
 import { addPoint } from "../../../src/workbench/model/changes/new-items";
 import { applyOptimistic } from "../../../src/workbench/model/changes/optimistic-edits";
 import { itemsOf } from "../../../src/workbench/model/items";
@@ -61,7 +61,7 @@ describe("axes", () => {
   });
 });
 
-describe("what hangs on axes", () => {
+describe("what is attached to axes", () => {
   it("is drawn where they cross, with what is on it", () => {
     const items = itemsOf(DATA, null);
     expect(items.map(({ geometry }) => geometry)).toMatchObject([
@@ -87,7 +87,7 @@ describe("what hangs on axes", () => {
     expect(columnOf(after).geometry).toMatchObject({ x: 6, y: 5 });
   });
   it("cannot be moved through a neighbor", () => expect(axisEdits(DATA, axisOf(DATA, "B"), 6)).toBeNull());
-  it("leaves its axes where it is moved off, and hangs on those that it comes to", () => {
+  it("is detached where it is moved off, and attached to axes that it comes to", () => {
     const move = (x: number, y: number) =>
       moveChange([columnOf(DATA)], [x, y], axesIn(DATA)).edits.reduce(applyOptimistic, DATA);
     expect(listAt(move(1, 0), ["columns"])[0]).toEqual({
@@ -99,11 +99,11 @@ describe("what hangs on axes", () => {
     });
     expect(listAt(move(6, -5), ["columns"])[0]).toMatchObject({ at: "C/1" });
   });
-  it("is hung by lists and kinds that may", () => {
+  it("is of lists and kinds that may", () => {
     const axes = axesIn(DATA);
-    expect(hangOn({ kind: "point", x: "0 m", y: "5 m" }, "supports", axes)).toEqual({ kind: "point", at: "A/2" });
+    expect(attach({ kind: "point", x: "0 m", y: "5 m" }, "supports", axes)).toEqual({ kind: "point", at: "A/2" });
     expect(
-      hangOn(
+      attach(
         {
           name: "W",
           points: [
@@ -119,8 +119,8 @@ describe("what hangs on axes", () => {
       at: ["A/1", "A/2"],
     });
     const borehole = { name: "BH1", x: "0 m", y: "5 m" };
-    expect(hangOn(borehole, "boreholes", axes)).toBe(borehole);
-    expect(takeOff({ kind: "line", at: ["A/1", "A/2"] }, axes)).toEqual({
+    expect(attach(borehole, "boreholes", axes)).toBe(borehole);
+    expect(detach({ kind: "line", at: ["A/1", "A/2"] }, axes)).toEqual({
       kind: "line",
       points: [
         ["0 m", "0 m"],

@@ -12,7 +12,7 @@ from groundslab.design.demands.loads import column_loads
 from groundslab.design.tables.punching import extremes_of_punching, punching_at_columns
 from groundslab.design.tables.table import Cell, Head, Table, table_of
 from groundslab.design.tilt import settlement_differences
-from groundslab.model.axes.hanging import name_of_crossing
+from groundslab.model.axes.crossings import name_of_crossing
 from groundslab.model.loads.load_cases import SERVICEABILITY, STRENGTH
 from groundslab.model.structure.columns import Column
 from groundslab.results.mesh_results import PlateResult

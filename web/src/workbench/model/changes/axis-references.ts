@@ -1,10 +1,10 @@
 // References to axes, such as B/3, that follow changes of the axes: renamed with them, and replaced by places where
 // their axes are gone.
-import { type Axis, axesIn, BETWEEN, hungPlaces, isHung } from "../axes";
+import { type Axis, attachedPlaces, axesIn, BETWEEN, isAttached } from "../axes";
 import type { Change, Edit } from "../edits";
 import { isTable, type Json, listAt, type Path, sameValue, type Table, tableAt } from "../paths";
+import { detach, LISTS } from "./attachment";
 import { joinEdits } from "./batches";
-import { LISTS, takeOff } from "./hanging";
 import { applyOptimistic } from "./optimistic-edits";
 import { editsToTable } from "./transform";
 
@@ -20,7 +20,7 @@ export function namesAxes(path: Path): boolean {
   return path.length === 3 && path[0] === "axes" && NAMING.includes(String(path[2]));
 }
 
-/** Return a change with the edits that let what hangs on axes follow their names, and stay where axes are removed. */
+/** Return a change with the edits that let what is attached to axes follow their names, and stay where axes are removed. */
 export function followAxes(data: Table, change: Change): Change {
   let now = data;
   const edits = change.edits.flatMap((edit): Edit[] => {
@@ -93,17 +93,17 @@ function isSamePlace(one: Axis, other: Axis): boolean {
   return [x - u, y - v, a - c, b - d, one.radius - other.radius].every((by) => Math.abs(by) <= SAME);
 }
 
-/** Return the edits of what hangs on axes whose names change or that are gone, given the axes before. */
+/** Return the edits of what is attached to axes whose names change or that are gone, given the axes before. */
 function referenceEdits(data: Table, before: readonly Axis[], renames: Renames): Edit[] {
   if (renames.size === 0) return [];
   return LISTS.flatMap((list) =>
     listAt(data, [list]).flatMap((table, n): Edit[] => {
-      if (!isTable(table) || !isHung(table)) return [];
+      if (!isTable(table) || !isAttached(table)) return [];
       const texts = (Array.isArray(table.at) ? table.at : [table.at ?? ""]).map(String);
       const names = texts.flatMap((text) => text.split(BETWEEN).map((name) => name.trim()));
       if (!names.some((name) => renames.has(name))) return [];
       if (names.some((name) => renames.get(name) === null))
-        return hungPlaces(table, before) ? editsToTable([list, n], table, takeOff(table, before)) : [];
+        return attachedPlaces(table, before) ? editsToTable([list, n], table, detach(table, before)) : [];
       const renamed = texts.map((text) => renameIn(text, renames));
       return [{ op: "set", path: [list, n, "at"], value: Array.isArray(table.at) ? renamed : renamed[0]! }];
     }),

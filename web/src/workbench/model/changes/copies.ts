@@ -7,7 +7,7 @@ import { titleOfAll } from "../items";
 import { freeName, namesIn } from "../names";
 import { type Json, listAt, type Path, pathKey, type Table, tableAt, valueAt } from "../paths";
 import { formatLength, parseLength } from "../quantities";
-import { hangOn, takeOff } from "./hanging";
+import { attach, detach } from "./attachment";
 import { outlineEdits } from "./new-items";
 import { editsToTable, hasPlace, Impossible, transformTable } from "./transform";
 
@@ -34,7 +34,7 @@ export function tablesAt(data: Table, paths: readonly Path[]): ListedTable[] {
   const axes = axesIn(data);
   return listed.map((path) => ({
     list: path.slice(0, -1),
-    table: structuredClone(takeOff(tableAt(data, path), axes)),
+    table: structuredClone(detach(tableAt(data, path), axes)),
   }));
 }
 
@@ -59,7 +59,7 @@ export function addCopies(
       const key = pathKey(list);
       const at = counts.get(key) ?? listAt(data, list).length;
       counts.set(key, at + 1);
-      edits.push({ op: "add", path: list, value: hangOn(withReferences(table, renamed), list[0], axesIn(data)) });
+      edits.push({ op: "add", path: list, value: attach(withReferences(table, renamed), list[0], axesIn(data)) });
       paths.push([...list, at]);
     }
   }
@@ -128,10 +128,10 @@ export function transformItems(data: Table, paths: readonly Path[], isometry: Is
   return { edits, text: `${verb} ${titleOfAll(data, paths)}` };
 }
 
-/** Return a table under an isometry, taken off the axes that it hung on, and hung on those where it then is. */
+/** Return a table under an isometry, detached from its axes, and attached to those where it then is. */
 function transformHung(data: Table, path: Path, isometry: Isometry): Table {
   const axes = axesIn(data);
-  return hangOn(transformTable(takeOff(tableAt(data, path), axes), isometry), path[0], axes);
+  return attach(transformTable(detach(tableAt(data, path), axes), isometry), path[0], axes);
 }
 
 /** Return the edits that transform the slab's outline; one given by its sides becomes an outline of its own. */

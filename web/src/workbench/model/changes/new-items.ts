@@ -8,7 +8,7 @@ import { freeName, namesIn } from "../names";
 import { isTable, type Json, listAt, type Path, type Table, tableAt } from "../paths";
 import { edgeAt, platesAt } from "../plates";
 import { formatLength } from "../quantities";
-import { hangOn } from "./hanging";
+import { attach } from "./attachment";
 
 /** What is added; slabs replace the one that is there. */
 export type NewKind =
@@ -51,7 +51,7 @@ function shapeTable(shape: DrawnShape): Table {
 }
 
 function addItem(data: Table, list: Path, table: Table, what: string): Addition {
-  const value = hangOn(table, list[0], axesIn(data));
+  const value = attach(table, list[0], axesIn(data));
   const change = { edits: [{ op: "add" as const, path: list, value }], text: `add ${what}` };
   return { change, path: [...list, listAt(data, list).length] };
 }

@@ -1,7 +1,7 @@
 // Axes of the building: parallel ones across each other, rays and rings, or those on which the columns stand.
 
 import { axesIn, countOn } from "../../model/axes";
-import { countHung, formatDistances, hangAll } from "../../model/changes/hanging";
+import { attachAll, countAttached, formatDistances } from "../../model/changes/attachment";
 import { applyOptimistic } from "../../model/changes/optimistic-edits";
 import { Impossible } from "../../model/changes/transform";
 import type { Edit } from "../../model/edits";
@@ -43,12 +43,12 @@ export const BUILDING_AXES: Generator = {
     const first = listAt(data, ["axes"]).length;
     const added = families.map((value): Edit => ({ op: "add", path: ["axes"], value }));
     const after = added.reduce(applyOptimistic, data);
-    const hung = hangAll(after, axesIn(after));
-    const number = countHung(hung.reduce(applyOptimistic, after)) - countHung(data);
+    const attached = attachAll(after, axesIn(after));
+    const number = countAttached(attached.reduce(applyOptimistic, after)) - countAttached(data);
     return {
-      change: { edits: [...added, ...hung], text: "add axes" },
+      change: { edits: [...added, ...attached], text: "add axes" },
       paths: families.slice(0, 1).map((_, n): Path => ["axes", first + n]),
-      note: number > 0 ? `${number} parts on their crossings hang on them.` : "",
+      note: number > 0 ? `${number} parts on their crossings are attached to them.` : "",
     };
   },
 };

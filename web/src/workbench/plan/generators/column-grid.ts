@@ -1,7 +1,7 @@
 // Columns on the axes of a building, with a load each.
 
 import { axesIn, crossingsOf, letters } from "../../model/axes";
-import { hangOn } from "../../model/changes/hanging";
+import { attach } from "../../model/changes/attachment";
 import { Impossible } from "../../model/changes/transform";
 import type { Edit } from "../../model/edits";
 import { isInside, nearestOnSegment, type Point, type Ring, ringOf } from "../../model/geometry";
@@ -57,7 +57,7 @@ export const COLUMN_GRID: Generator = {
       const free = freeName(taken, name);
       taken.push(free);
       const value = { name: free, x: formatLength(at[0]), y: formatLength(at[1]), ...size };
-      edits.push({ op: "add", path: ["columns"], value: hangOn(value, "columns", axesIn(data)) });
+      edits.push({ op: "add", path: ["columns"], value: attach(value, "columns", axesIn(data)) });
       if (P.value !== 0)
         edits.push({
           op: "add",

@@ -1,7 +1,7 @@
 // Dragging an axis of the building: a straight one sideways, a ray about its center, a ring outwards.
 import { distanceBetween } from "../../../viewer/data/points";
 import { type Axis, axesIn, parseDistances } from "../../model/axes";
-import { angleEdits, axisEdits } from "../../model/changes/hanging";
+import { angleEdits, axisEdits } from "../../model/changes/attachment";
 import type { Change, Edit } from "../../model/edits";
 import type { Point } from "../../model/geometry";
 import { samePath, type Table, tableAt, valueAt } from "../../model/paths";

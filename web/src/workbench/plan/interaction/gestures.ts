@@ -2,7 +2,7 @@
 import { withMinus } from "../../../viewer/data/numbers";
 import { distanceBetween } from "../../../viewer/data/points";
 import type { Axis } from "../../model/axes";
-import { hangOn, leaveAxes, takeOff } from "../../model/changes/hanging";
+import { attach, detach, detachingEdits } from "../../model/changes/attachment";
 import {
   addEdgeWall,
   addJoint,
@@ -77,8 +77,8 @@ function moveItem(item: Item, by: Point): Edit[] {
 function translateItem(item: Item, by: Point, axes: readonly Axis[]): Edit[] {
   if (item.kind === "slab") return moveItem(item, by);
   try {
-    const moved = transformTable(takeOff(item.table, axes), translation(by));
-    return editsToTable(item.path, item.table, hangOn(moved, item.path[0], axes));
+    const moved = transformTable(detach(item.table, axes), translation(by));
+    return editsToTable(item.path, item.table, attach(moved, item.path[0], axes));
   } catch (error) {
     if (error instanceof Impossible) return moveItem(item, by); // the server says what is wrong with it
     throw error;
@@ -108,7 +108,7 @@ export class MoveGesture implements DragGesture {
     item: Item,
     private readonly start: Point,
     others: readonly Item[] = [],
-    /** Those of the building, which what is moved leaves, or comes to hang on. */
+    /** Those of the building, from which what is moved is detached, or to which it is attached. */
     private readonly axes: readonly Axis[] = [],
   ) {
     this.items = [item, ...others];
@@ -161,7 +161,7 @@ export class ReshapeGesture implements DragGesture {
     const written = editsBetween(this.item.geometry, this.after);
     if (written.length === 0) return null;
     // a corner that is dragged leaves the axes, and the line with it
-    const edits = [...leaveAxes(this.item), ...written];
+    const edits = [...detachingEdits(this.item), ...written];
     const corners = (geometry: Geometry) => ("points" in geometry ? geometry.points.length : 0);
     const verb = corners(this.after) > corners(this.item.geometry) ? "add a corner to" : "reshape";
     return { edits, text: `${verb} ${this.item.title}` };

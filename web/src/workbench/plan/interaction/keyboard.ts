@@ -1,7 +1,7 @@
 // The keyboard in the drawing.
 import { ARROWS } from "../../../viewer/shared/keys";
 import type { Store } from "../../client/store";
-import { leaveAxes } from "../../model/changes/hanging";
+import { detachingEdits } from "../../model/changes/attachment";
 import type { Change } from "../../model/edits";
 import { editsBetween } from "../../model/geometry";
 import { loadsOn } from "../../model/items";
@@ -135,7 +135,7 @@ export class Keyboard {
     const after = selected && corner !== null ? removeCorner(selected.geometry, corner) : null;
     if (selected && after) {
       this.canvas.corner = null;
-      const edits = [...leaveAxes(selected), ...editsBetween(selected.geometry, after)];
+      const edits = [...detachingEdits(selected), ...editsBetween(selected.geometry, after)];
       this.push({ edits, text: `remove a corner of ${selected.title}` });
     } else this.actions.remove();
   }

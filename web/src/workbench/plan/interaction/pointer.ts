@@ -207,7 +207,7 @@ export class Pointer {
     } else this.hover(pixel);
   }
 
-  /** Move or turn an axis, as far as its neighbors allow; what hangs on it follows. */
+  /** Move or turn an axis, as far as its neighbors allow; what is attached to it follows. */
   private dragAxis({ gesture, start }: Extract<Press, { kind: "axis" }>, pixel: Point, free: boolean): void {
     const { canvas, store } = this;
     const isHeld = gesture.edits.length === 0 && !isFar(start, pixel);

@@ -90,11 +90,11 @@ describe("references to axes", () => {
     expect(placesOf(none)).toEqual(placesOf(DATA));
   });
 
-  it("become places if one of several axes goes, and what hangs on the others stays", () => {
+  it("become places if one of several axes goes, and what is attached to the others stays", () => {
     const shorter = done(DATA, set(["axes", 0, "distances"], "2 x 6 m"));
     expect(tableAt(shorter, ["columns", 1])).toMatchObject({ x: "16.5 m", y: "0 m" });
     expect(atOf(shorter, "columns")).toBe("B / 2");
-    // axis B goes: what was on C hangs on the one that is now called B
+    // axis B goes: what was on C is attached to the one that is now called B
     const without = done(DATA, set(["axes", 0, "distances"], "12 m, 4.5 m"));
     expect(tableAt(without, ["columns", 0])).toMatchObject({ x: "6 m", y: "5 m" });
     expect(atOf(without, "columns", 1)).toBe("1/C");

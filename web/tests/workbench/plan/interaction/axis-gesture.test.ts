@@ -1,4 +1,4 @@
-// Axes that are dragged, and where what hangs on them then is.
+// Axes that are dragged, and where what is attached to them then is.
 import { describe, expect, it } from "vitest";
 import { axesIn } from "../../../../src/workbench/model/axes";
 import { applyOptimistic } from "../../../../src/workbench/model/changes/optimistic-edits";

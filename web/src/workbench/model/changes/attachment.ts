@@ -1,5 +1,5 @@
-// What hangs on axes of the building: taken off them where it is moved, hung on others, and the axes themselves moved.
-import { type Axis, hungPlaces, isHung, nameOfCrossing, parseDistances } from "../axes";
+// What is attached to axes of the building: detached where it is moved, attached to others, and the axes themselves moved.
+import { type Axis, attachedPlaces, isAttached, nameOfCrossing, parseDistances } from "../axes";
 import type { Edit } from "../edits";
 import { isTable, type Json, listAt, type Path, type Table, tableAt, valueAt } from "../paths";
 import { formatDecimals, formatLength, parsePoint, parsePoints } from "../quantities";
@@ -7,32 +7,32 @@ import { editsToTable, Impossible } from "./transform";
 
 type Point = readonly [number, number];
 
-/** Lists of what may hang on axes. */
+/** Lists of what may be attached to axes. */
 export const LISTS = ["columns", "walls", "beams", "supports", "loads"];
 /** Kinds of loads and supports that may. */
 const KINDS: readonly Json[] = ["point", "pile", "line", "line moment"];
 
-/** Return the edit that lets an item leave the axes on which it hangs, if it does. */
-export function leaveAxes({ table, path }: { table: Table; path: Path }): Edit[] {
-  return isHung(table) ? [{ op: "remove", path: [...path, "at"] }] : [];
+/** Return the edit that detaches an item from its axes, if it is attached to any. */
+export function detachingEdits({ table, path }: { table: Table; path: Path }): Edit[] {
+  return isAttached(table) ? [{ op: "remove", path: [...path, "at"] }] : [];
 }
 
 /** Return a table with places of its own instead of crossings of axes. */
-export function takeOff(table: Table, axes: readonly Axis[]): Table {
-  if (!isHung(table)) return table;
-  const places = hungPlaces(table, axes);
-  if (!places) throw new Impossible(`it hangs on axes that are not known, ${String(table.at)}`);
+export function detach(table: Table, axes: readonly Axis[]): Table {
+  if (!isAttached(table)) return table;
+  const places = attachedPlaces(table, axes);
+  if (!places) throw new Impossible(`it is attached to axes that are not known, ${String(table.at)}`);
   const { at, ...others } = table;
   if (Array.isArray(at)) return { ...others, points: places.map(writePlace) };
   const [x, y] = writePlace(places[0]!);
   return { ...others, x: x!, y: y! };
 }
 
-/** Return a table of a list that hangs on axes if its places are crossings of these; a line only if all are. */
-export function hangOn(table: Table, list: Json | undefined, axes: readonly Axis[]): Table {
+/** Return a table of a list attached to axes if its places are crossings of these; a line only if all are. */
+export function attach(table: Table, list: Json | undefined, axes: readonly Axis[]): Table {
   const mayHang =
     list === "loads" || list === "supports" ? KINDS.includes(table.kind ?? "") : LISTS.includes(String(list));
-  if (axes.length < 2 || !mayHang || isHung(table)) return table;
+  if (axes.length < 2 || !mayHang || isAttached(table)) return table;
   const place = parsePoint([table.x ?? "", table.y ?? ""]);
   if (place) {
     const at = nameOfCrossing(place, axes);
@@ -55,21 +55,21 @@ function writePlace([x, y]: Point): Json[] {
   return [formatLength(x), formatLength(y)];
 }
 
-/** Return the edits that hang on axes all that stands at their crossings. */
-export function hangAll(data: Table, axes: readonly Axis[]): Edit[] {
+/** Return the edits that attach to axes all that stands at their crossings. */
+export function attachAll(data: Table, axes: readonly Axis[]): Edit[] {
   return LISTS.flatMap((list) =>
     listAt(data, [list]).flatMap((table, n): Edit[] => {
       if (!isTable(table)) return [];
-      const hung = hangOn(table, list, axes);
-      return hung === table ? [] : editsToTable([list, n], table, hung);
+      const attached = attach(table, list, axes);
+      return attached === table ? [] : editsToTable([list, n], table, attached);
     }),
   );
 }
 
-/** Return how many parts hang on axes. */
-export function countHung(data: Table): number {
+/** Return how many parts are attached to axes. */
+export function countAttached(data: Table): number {
   return LISTS.reduce(
-    (sum, list) => sum + listAt(data, [list]).filter((each) => isTable(each) && isHung(each)).length,
+    (sum, list) => sum + listAt(data, [list]).filter((each) => isTable(each) && isAttached(each)).length,
     0,
   );
 }

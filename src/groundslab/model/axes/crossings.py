@@ -1,4 +1,4 @@
-"""What hangs on axes: parts whose places are crossings of axes, such as `B/3`, found when a model is read."""
+"""Parts of a model whose places are crossings of axes, such as `B/3`, found when the model is read."""
 
 from __future__ import annotations
 
@@ -16,8 +16,8 @@ from groundslab.schema.repairs import remove
 from groundslab.schema.section_fields import sections_by_kind
 from groundslab.schema.wording import describe, one_of, suggestion
 
-#: Lists of parts that may hang on axes.
-HUNG = ("columns", "walls", "beams", "supports", "loads")
+#: Lists of parts that may be attached to axes.
+ATTACHABLE = ("columns", "walls", "beams", "supports", "loads")
 #: Kinds of loads and supports that are at a point, and along a line.
 AT_POINT, ALONG_LINE = ("point", "pile"), ("line", "line moment")
 #: Places closer than this [m] are one.
@@ -25,7 +25,7 @@ SAME = 1e-6
 
 
 @dataclass(frozen=True, slots=True)
-class Unhung:
+class InvalidCrossing:
     """Stands for a reference to axes that cannot be followed, until the part that has it is read."""
 
     issues: tuple[RelativeIssue, ...]
@@ -37,7 +37,7 @@ class Crossing(Text):
 
     def read(self, value: Any, from_file: bool) -> str:
         """Return the text; raises FieldError if it names no crossing."""
-        if isinstance(value, Unhung):
+        if isinstance(value, InvalidCrossing):
             raise FieldError(*value.issues)
         return super().read(value, from_file)
 
@@ -48,7 +48,7 @@ class Crossings(ListOf):
 
     def read(self, value: Any, from_file: bool) -> tuple[Any, ...]:
         """Return the texts; raises FieldError if one of them names no crossing."""
-        if isinstance(value, Unhung):
+        if isinstance(value, InvalidCrossing):
             raise FieldError(*value.issues)
         return super().read(value, from_file)
 
@@ -62,8 +62,8 @@ AtCrossings = Annotated[
 ]
 
 
-def hang(data: Mapping[Any, Any]) -> Mapping[Any, Any]:
-    """Return the tables of a model with the places of all parts that hang on axes.
+def attach_to_axes(data: Mapping[Any, Any]) -> Mapping[Any, Any]:
+    """Return the tables of a model with the places of all parts that are attached to axes.
 
     Parameters
     ----------
@@ -73,23 +73,23 @@ def hang(data: Mapping[Any, Any]) -> Mapping[Any, Any]:
     Raises
     ------
     FieldError
-        If axes on which something hangs are not valid themselves.
+        If axes to which something is attached are not valid themselves.
     """
-    lists = {name: data.get(name) for name in HUNG}
-    hung = {
+    lists = {name: data.get(name) for name in ATTACHABLE}
+    attached = {
         name: parts for name, parts in lists.items() if isinstance(parts, list | tuple) and any(map(_reference, parts))
     }
-    if not hung:
+    if not attached:
         return data
     families = _read(data.get("axes", ()))
     if families is None:  # which the model says; nothing is wrong with the references
-        return {**data, **{name: [_placed_anywhere(name, part) for part in parts] for name, parts in hung.items()}}
+        return {**data, **{name: [_placed_anywhere(name, part) for part in parts] for name, parts in attached.items()}}
     axes = {axis.name: axis for family in families for axis in family.axes}
-    return {**data, **{name: [_hang_one(name, part, axes) for part in parts] for name, parts in hung.items()}}
+    return {**data, **{name: [_attach_one(name, part, axes) for part in parts] for name, parts in attached.items()}}
 
 
 def _reference(part: Any) -> Any:
-    """Return the crossings that a part names, None if it hangs on nothing."""
+    """Return the crossings that a part names, None if it is attached to none."""
     at = part.get("at") if isinstance(part, Mapping) else getattr(part, "at", None)
     return at or None
 
@@ -112,7 +112,7 @@ def _read(families: Any) -> list[AnyAxes] | None:
 
 
 def _placed_anywhere(name: str, part: Any) -> Any:
-    """Return a part that hangs on axes which are not known with some place, so that only the axes are at fault."""
+    """Return a part with some place where its axes are not known, so that only these are at fault."""
     if _reference(part) is None or not isinstance(part, Mapping):
         return part
     is_point = name == "columns" or part.get("kind") in AT_POINT
@@ -120,8 +120,8 @@ def _placed_anywhere(name: str, part: Any) -> Any:
     return {key: value for key, value in part.items() if key != "at"} | {k: _written(v) for k, v in given.items()}
 
 
-def _hang_one(name: str, part: Any, axes: Mapping[str, Axis]) -> Any:
-    """Return a part with its place, if it hangs on axes; with its issues instead of the reference if that is wrong."""
+def _attach_one(name: str, part: Any, axes: Mapping[str, Axis]) -> Any:
+    """Return a part that is attached to axes with its place, or with its issues if the reference is wrong."""
     at = _reference(part)
     if at is None:
         return part
@@ -143,7 +143,7 @@ def _hang_one(name: str, part: Any, axes: Mapping[str, Axis]) -> Any:
     else:
         issues = issues or tuple(_find_other_place(part, given))
         given = {key: _written(value) for key, value in given.items()}
-    return {**part, **given, **({"at": Unhung(issues)} if issues else {})}
+    return {**part, **given, **({"at": InvalidCrossing(issues)} if issues else {})}
 
 
 def _texts(at: Any) -> Sequence[Any]:
