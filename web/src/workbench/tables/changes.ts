@@ -4,8 +4,8 @@ import { renameReferences } from "../model/changes/references";
 import { editsToTable } from "../model/changes/transform";
 import type { Change, Edit } from "../model/edits";
 import { titleAt } from "../model/items";
-import { freeName, namesIn } from "../model/names";
-import { type Json, listAt, type Path, type Table, tableAt, valueAt } from "../model/paths";
+import { freeName, namesIn, takenNames } from "../model/names";
+import { type Json, type Path, type Table, tableAt, valueAt } from "../model/paths";
 import { writeCell } from "./cells";
 import { type Column, isEditable, nameOf } from "./columns";
 import type { Sheet } from "./sheets";
@@ -54,7 +54,7 @@ export function writeCells(
 function withNames(data: Table, { list, part }: Sheet, tables: readonly Table[]): Table[] {
   const kind: Table = part.kind ? { kind: part.kind } : {};
   const isNamed = part.fields.some((field) => field.name === "name" && field.needed);
-  const taken = [...namesIn(listAt(data, [list])), ...namesIn([...tables])];
+  const taken = [...takenNames(data, [list]), ...namesIn([...tables])];
   return tables.map((table) => {
     if (!isNamed || table.name !== undefined) return { ...kind, ...table };
     const name = freeName(taken, list === "columns" ? "C1" : `${list.replace(/s$/, "")} 1`);
@@ -108,7 +108,7 @@ export function emptyCells(
 
 /** Return the change that adds copies of items at the end of their list, with names that are free. */
 export function duplicateRows(data: Table, { list, title }: Sheet, positions: readonly number[]): Change {
-  const taken = namesIn(listAt(data, [list]));
+  const taken = takenNames(data, [list]);
   const edits = positions.map((n): Edit => {
     const value = structuredClone(tableAt(data, [list, n]));
     if (typeof value.name === "string" && value.name) {

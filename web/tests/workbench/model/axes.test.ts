@@ -12,6 +12,7 @@ import { attach, axisEdits, detach, formatDistances } from "../../../src/workben
 import { addPoint } from "../../../src/workbench/model/changes/new-items";
 import { applyOptimistic } from "../../../src/workbench/model/changes/optimistic-edits";
 import { itemsOf } from "../../../src/workbench/model/items";
+import { takenNames } from "../../../src/workbench/model/names";
 import { listAt, type Table } from "../../../src/workbench/model/paths";
 import { moveChange } from "../../../src/workbench/plan/interaction/gestures";
 
@@ -132,5 +133,9 @@ describe("what is attached to axes", () => {
     expect(addPoint("column", DATA, [12, 0], "").change.edits[0]).toMatchObject({ value: { name: "C2", at: "C/1" } });
     expect(addPoint("column", DATA, [0, 5], "").change.edits[0]).toMatchObject({ value: { name: "A2", at: "A/2" } });
     expect(addPoint("borehole", DATA, [0, 5], "").change.edits[0]).toMatchObject({ value: { name: "BH1" } });
+    const named: Table = { ...DATA, columns: [{ name: "BH1" }], boreholes: [{ name: "A2" }] };
+    expect(addPoint("borehole", named, [0, 5], "").change.edits[0]).toMatchObject({ value: { name: "BH2" } });
+    expect(addPoint("column", named, [0, 5], "").change.edits[0]).toMatchObject({ value: { name: "C1" } });
+    expect(takenNames(named, ["walls"])).toEqual([]);
   });
 });

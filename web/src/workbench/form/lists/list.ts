@@ -3,7 +3,7 @@ import { button, fill, h, setText } from "../../../viewer/shared/dom";
 import { defaultPlacement } from "../../model/changes/variants";
 import { defaultsFor } from "../../model/defaults";
 import { issuesOfList } from "../../model/issues";
-import { freeName, namesIn } from "../../model/names";
+import { freeName, takenNames } from "../../model/names";
 import { isTable, type Json, listAt, type Path, pathKey, startsWith, type Table } from "../../model/paths";
 import type { Node, Part } from "../../model/schema";
 import type { FormContext, Widget } from "../context";
@@ -89,7 +89,7 @@ export function newItem(data: Table, path: Path, part: Part): Table {
   if (!isNamed && !part.name.endsWith("Support") && part.name !== "Borehole") return value;
   const stems: Record<string, string> = { Column: "C1", Borehole: "BH1" };
   const stem = stems[part.name] ?? `${String(path.at(-1)).replace(/s$/, "")} 1`;
-  return { name: freeName(namesIn(listAt(data, path)), stem), ...value };
+  return { name: freeName(takenNames(data, path), stem), ...value };
 }
 
 /** The choice of the keys by which all items of a list are given. */

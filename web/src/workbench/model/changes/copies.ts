@@ -4,7 +4,7 @@ import { axesIn } from "../axes";
 import type { Change, Edit } from "../edits";
 import type { Isometry } from "../isometry";
 import { titleOfAll } from "../items";
-import { freeName, namesIn } from "../names";
+import { freeName, namesIn, takenNames } from "../names";
 import { type Json, listAt, type Path, pathKey, type Table, tableAt, valueAt } from "../paths";
 import { formatLength, parseLength } from "../quantities";
 import { attach, detach } from "./attachment";
@@ -90,7 +90,7 @@ function rename(
 ): Table {
   if (typeof table.name !== "string" || !table.name || FREE_NAMES.has(String(list[0]))) return table;
   const key = pathKey(list);
-  const taken = names.get(key) ?? namesIn(listAt(data, list));
+  const taken = names.get(key) ?? takenNames(data, list);
   const name = freeName(taken, table.name);
   names.set(key, [...taken, name]);
   renamed.set(`${String(list[0])} ${table.name}`, name);

@@ -4,7 +4,7 @@ import { defaultsFor } from "../defaults";
 import type { Addition, Change, Edit } from "../edits";
 import { isInside, type Point, type Ring, readGeometry } from "../geometry";
 import { footprintOf, titleAt } from "../items";
-import { freeName, namesIn } from "../names";
+import { freeName, namesIn, takenNames } from "../names";
 import { isTable, type Json, listAt, type Path, type Table, tableAt } from "../paths";
 import { edgeAt, platesAt } from "../plates";
 import { formatLength } from "../quantities";
@@ -163,7 +163,7 @@ export function addPoint(kind: NewKind, data: Table, at: Point, loadCase: string
   if (kind === "support")
     return addItem(data, ["supports"], { ...defaultsFor("PointSupport", data), ...place }, "point support");
   if (kind === "borehole") {
-    const name = freeName(namesIn(listAt(data, ["boreholes"])), "BH1");
+    const name = freeName(takenNames(data, ["boreholes"]), "BH1");
     const layers = listAt(data, ["boreholes", 0, "layers"]);
     const value = { ...defaultsFor("Borehole", data), ...(layers.length > 0 ? { layers } : {}) };
     return addItem(data, ["boreholes"], { name, ...place, ...value }, `borehole ${name}`);
@@ -171,7 +171,7 @@ export function addPoint(kind: NewKind, data: Table, at: Point, loadCase: string
   if (kind === "column") {
     // called by the axes that it stands on
     const crossing = nameOfCrossing(at, axesIn(data)).replace("/", "");
-    const taken = namesIn(listAt(data, ["columns"]));
+    const taken = takenNames(data, ["columns"]);
     const name = crossing && !taken.includes(crossing) ? crossing : freeName(taken, "C1");
     return addItem(data, ["columns"], { name, ...place, ...columnSize(data) }, `column ${name}`);
   }
@@ -255,7 +255,7 @@ export function duplicateItem(data: Table, path: Path, by: Point = [0, 0], at?: 
   const list = path.slice(0, -1);
   const value = structuredClone(tableAt(data, path));
   if (typeof path.at(-1) !== "number" || Object.keys(value).length === 0) return null;
-  if (typeof value.name === "string" && value.name) value.name = freeName(namesIn(listAt(data, list)), value.name);
+  if (typeof value.name === "string" && value.name) value.name = freeName(takenNames(data, list), value.name);
   const copy = [...list, at ?? listAt(data, list).length];
   const edits: Edit[] = [{ op: "add", path: list, value, ...(at === undefined ? {} : { at }) }];
   if (by[0] !== 0 || by[1] !== 0) edits.push({ op: "move", path: copy, by });

@@ -6,7 +6,7 @@ import { Impossible } from "../../model/changes/transform";
 import type { Edit } from "../../model/edits";
 import { isInside, nearestOnSegment, type Point, type Ring, ringOf } from "../../model/geometry";
 import { itemsOf } from "../../model/items";
-import { freeName, namesIn } from "../../model/names";
+import { freeName, takenNames } from "../../model/names";
 import { listAt, type Path, type Table } from "../../model/paths";
 import { formatLength } from "../../model/quantities";
 import { force, forceOf, length, lengthOf, lengthsOf, sizeOf, type Values } from "../fields";
@@ -51,7 +51,7 @@ export const COLUMN_GRID: Generator = {
       width_x: formatLength(sizeOf(values, "width_x"), "mm"),
       width_y: formatLength(sizeOf(values, "width_y"), "mm"),
     };
-    const taken = namesIn(listAt(data, ["columns"]));
+    const taken = takenNames(data, ["columns"]);
     const edits: Edit[] = [...found.edits];
     for (const { name, at } of kept) {
       const free = freeName(taken, name);
