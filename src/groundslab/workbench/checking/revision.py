@@ -23,12 +23,18 @@ class Revision:
     folder: Path | None = None  # of its file, beside which others may be that it names
     data: dict[str, Any] | None = None
     result: CheckResult | None = None  # None while it is being checked
+    earlier_data: dict[str, Any] | None = None  # of the last text that could be read
     earlier_plan: dict[str, Any] | None = None
 
     @property
+    def readable(self) -> dict[str, Any] | None:
+        """The data, those of the last text that could be read while this one is not or cannot be."""
+        return self.earlier_data if self.data is None else self.data
+
+    @property
     def plan(self) -> dict[str, Any] | None:
-        """The plan, the previous one while the document is being checked."""
-        return self.earlier_plan if self.result is None else self.result.plan
+        """The plan, the previous one while the document is being checked and where it cannot be read."""
+        return self.earlier_plan if self.result is None or self.data is None else self.result.plan
 
     @property
     def text(self) -> str:
@@ -46,6 +52,7 @@ class Revision:
             "version": self.version,
             "text": self.document.text,
             "data": self.data,
+            "readable": self.earlier_data if self.data is None else None,
             "checking": self.result is None,
             "issues": [] if self.result is None else self.result.issues_json,
             "remarks": [] if self.result is None else self.result.remarks_json,

@@ -118,7 +118,10 @@ class Editor:
         """Replace the document by a new revision."""
         file = self.copy.file.path
         folder = None if file is None else file.parent
-        self.revision = Revision(self.revision.version + 1, document, folder, earlier_plan=self.revision.plan)
+        before = self.revision
+        self.revision = Revision(
+            before.version + 1, document, folder, earlier_data=before.readable, earlier_plan=before.plan
+        )
         self._follow(self.revision)
         self.checker.submit(self.revision)
         self.copy.set_document(document)

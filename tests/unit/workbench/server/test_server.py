@@ -316,7 +316,7 @@ def test_wrong_edits_are_reported(bench: Bench) -> None:
 
 @pytest.mark.slow
 def test_a_state_that_is_wrong_keeps_the_last_good_result(bench: Bench) -> None:
-    """A wrong value, then broken TOML: issues with paths or lines, no plan; the previous result stays."""
+    """A wrong value, then broken TOML: issues with paths or lines, the data read last; the previous result stays."""
     run = bench.hub.wait("solved")["run"]
     state = bench.set(["plate", "thickness"], "25")
     (issue,) = state["issues"]
@@ -324,6 +324,7 @@ def test_a_state_that_is_wrong_keeps_the_last_good_result(bench: Bench) -> None:
     assert state["plan"] is None
     state = bench.post("/api/edits", {"edits": [{"op": "text", "value": "a = = 1"}], "text": "Text"})
     assert state["data"] is None
+    assert state["readable"]["plate"]["thickness"] == "25"
     assert (state["issues"][0]["path"], state["issues"][0]["line"]) == ([], 1)
     assert bench.ask("GET", f"/api/results/{run}/scene").status == 200
     assert bench.post("/api/solve", status=422)["error"]["issues"][0]["location"].startswith("the text, line 1")

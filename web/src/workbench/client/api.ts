@@ -25,6 +25,8 @@ export interface DocState {
   text: string;
   /** Null while the text is not TOML, or not read yet. */
   data: Table | null;
+  /** Those of the last text that could be read, while there are no data of this one. */
+  readable?: Table | null;
   /** Whether the server is still reading the text: issues are not known yet, the plan is the previous one. */
   checking?: boolean;
   issues: Issue[];

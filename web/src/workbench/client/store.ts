@@ -130,7 +130,7 @@ export class Store {
   underlay: Underlay | null = null;
   /** The server's data with the edits that are still on their way. */
   data: Table = {};
-  /** The server's data; the last ones that could be read while the text is broken. */
+  /** The server's data; those of the last text that could be read while this one is not. */
   private readable: Table = {};
   private waiting: readonly Change[] = [];
   private readonly listeners = new Map<Topic, Set<() => void>>();
@@ -161,7 +161,7 @@ export class Store {
     const fewer = waiting.length !== this.waiting.length;
     this.doc = doc;
     this.waiting = [...waiting];
-    this.readable = doc.data ?? this.readable;
+    this.readable = doc.data ?? doc.readable ?? (doc.checking ? this.readable : {});
     this.set("autosolve", doc.autosolve ?? this.autosolve);
     this.applyWaiting();
     if (fewer) this.emit("waiting");

@@ -1,5 +1,5 @@
 // The page, made once schema and document are there.
-import { h } from "../../viewer/shared/dom";
+import { h, setText } from "../../viewer/shared/dom";
 import { casesPanel } from "../cases/cases-panel";
 import type { DocState, HttpApi } from "../client/api";
 import { openSections } from "../client/browser-storage";
@@ -31,8 +31,6 @@ import { issueList } from "./diagnostics";
 import { topBar, viewBar } from "./top-bar";
 import { showWarnings } from "./unsaved-work";
 import "./page.css";
-
-const BROKEN = "The text has an error. Fix it under Text, or undo. The form and the drawing show the last valid state.";
 
 export function buildPage(
   api: HttpApi,
@@ -100,7 +98,7 @@ function modelPanel(store: Store, schema: Schema, push: (change: Change) => void
     const change: Change = { edits: [{ op: "text", value }], text: "edit the text" };
     push(continued ? { ...change, merge: true } : change);
   });
-  const broken = h("p", { class: "broken", role: "alert", hidden: true }, BROKEN);
+  const broken = h("p", { class: "broken", role: "alert", hidden: true });
   const planTab = h("div", { class: "panel plan-help" }, plan.element);
   const formTab = h("div", { class: "panel scrolls" }, form.element);
   const tablesTab = h("div", { class: "panel" }, sheets.element);
@@ -140,6 +138,7 @@ function modelPanel(store: Store, schema: Schema, push: (change: Change) => void
     if (views.current() === "tables") sheets.update();
     if (views.current() === "cases") cases.update();
     broken.hidden = !store.broken;
+    if (store.broken) setText(broken, brokenText(store.doc?.issues[0]?.line, Object.keys(store.data).length === 0));
     for (const tab of [formTab, tablesTab, casesTab]) tab.toggleAttribute("inert", store.broken);
   });
   const title = h("h2", { class: "unseen" }, "Model");
@@ -150,6 +149,13 @@ function modelPanel(store: Store, schema: Schema, push: (change: Change) => void
   };
   const element = h("section", { class: "model", "aria-label": "model" }, ...children);
   return { element, flush, openIssues: issues.open, show: views.show };
+}
+
+/** What is said of a text that cannot be read, because of one of its lines, and of what is shown meanwhile. */
+function brokenText(line: number | undefined, nothingBefore: boolean): string {
+  const where = line === undefined ? "The text cannot be read." : `The text cannot be read (line ${line}).`;
+  const shown = nothingBefore ? "There is nothing to draw yet." : "All else shows the last text that could be read.";
+  return [where, shown, "Correct it under Text, or undo."].join(" ");
 }
 
 function formContext(store: Store, schema: Schema, push: (change: Change) => void): FormContext {
