@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 
 from groundslab.model.loads.load_cases import Combination
@@ -55,6 +57,22 @@ def test_the_number_of_the_mesh_is_told_where_there_may_be_several() -> None:
     several.begin_mesh()
     several.begin("A")
     assert several.words() == "mesh 3, 1 of 3, A: "
+
+
+def test_engineers_read_what_is_solved_and_whether_the_slab_lifts_off() -> None:
+    """No unknowns, no gamma, no nodes in contact; nothing at all where one combination is solved on one mesh."""
+    now = [0.0]
+    count = CombinationCount(12, lambda: now[0], mesh=2)
+    for name, now[0] in (("A", 0.0), ("B", 30.0), ("C", 32.0)):
+        count.begin(name)
+    place, left = "combination 3 of 12, mesh 2", "about 20 s left on this mesh"
+    assert count.describe() == f"{place}, {left}"
+    step = Step(12_400, 1, 2.0086, 1, 977, 0, finest=True)
+    assert count.describe(step) == f"{place}, {left}"
+    lifted = replace(step, iteration=2, changed=11)
+    assert count.describe(lifted) == f"{place}, where the slab lifts off (step 2), {left}"
+    assert CombinationCount(1).describe(step) == ""
+    assert CombinationCount(1).describe(replace(lifted, increment=3)) == "load step 3, where the slab lifts off (step 2)"
 
 
 def test_a_file_gets_a_line_every_ten_seconds() -> None:

@@ -71,6 +71,25 @@ class CombinationCount:
         return f"{mesh}{', ' if mesh else ''}{len(self._names)} of {self._count}, {self._name}{about}: "
 
 
+    def describe(self, step: Step | None = None) -> str:
+        """Return how the analysis goes on in words for engineers, empty where there is nothing to tell them yet.
+
+        Which combination is solved on which mesh, whether the slab lifts off, and the time that is left; `words` and
+        `line` have the iterations.
+        """
+        parts = [f"combination {len(self._names)} of {self._count}"] if self._count > 1 and self._names else []
+        if self.mesh is not None:
+            parts.append(f"mesh {self.mesh}")
+        if step is not None and step.increment > 1:
+            parts.append(f"load step {step.increment}")
+        if step is not None and (step.changed or step.iteration > 1):
+            parts.append(f"where the slab lifts off (step {step.iteration})")
+        left = self.seconds_left()
+        if left is not None and left >= 1.0:
+            parts.append(f"about {left:.0f} s left on this mesh")
+        return ", ".join(parts)
+
+
 class Progress:
     """Shows each step, and the mesh and the combination that it belongs to, where there are several."""
 

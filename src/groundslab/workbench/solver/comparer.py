@@ -63,7 +63,7 @@ class Comparer:
             self.cancel()
             self._kind, self._run = kind, run
             self._process = ChildProcess("groundslab comparison", main, self._tasks[kind], text, folder)
-            self._tell("comparing", text="begins", share=0.0)
+            self._tell("comparing", text="", share=0.0)
             threading.Thread(target=self._receive, args=(self._process,), name="comparison", daemon=True).start()
 
     def cancel(self) -> None:
@@ -125,7 +125,7 @@ def compare_grounds(text: str, folder: Path, on_begin: OnBegin) -> Compared:
 
     def tell(kind: str) -> None:
         nonlocal begun
-        on_begin(f"{begun + 1} of {GROUNDS}, {kind}", begun / GROUNDS)
+        on_begin(f"Ground {begun + 1} of {GROUNDS}: {kind}", begun / GROUNDS)
         begun += 1
 
     model = casefile.from_table(casefile.tables(text), folder)
@@ -148,7 +148,7 @@ def compare_designs(text: str, folder: Path, on_begin: OnBegin) -> Compared:
 
     def tell(name: str, left: int) -> None:
         nonlocal begun
-        on_begin(f"{begun + 1} of {begun + 1 + left}, {name}", begun / (begun + 1 + left))
+        on_begin(f"Alternative {begun + 1} of {begun + 1 + left}: {name}", begun / (begun + 1 + left))
         begun += 1
 
     comparison = compare_texts(text, folder, tell)

@@ -2,8 +2,8 @@
 
 It receives ("solve", run, text, shown, before, accuracy), ("report", run, file), ("archive", run, file), ("table", run,
 name), ("document", run, name), ("export", run, wanted) and ("bars", run, folder) from ``Worker`` through a pipe. It
-sends ("ready",) when it can receive, ("warm",) when it has warmed up, ("progress", run, text, share), ("preview", run,
-words, figures) followed by the bytes of a scene, ("provisional", run, answer) and ("solved", run, answer) followed by
+sends ("ready",) when it can receive, ("warm",) when it has warmed up, ("progress", run, text, share, details),
+("preview", run, words, figures) followed by the bytes of a scene, ("provisional", run, answer) and ("solved", run, answer) followed by
 the bytes of the scene, ("refused", run, message, issues), ("stopped", run), ("making", run, title, share) while a
 report is made, and ("view", message, error or issues) in answer to all but the first, followed by the bytes that were
 asked for if there is no error. These are answered between two steps of a run, too.
@@ -50,22 +50,22 @@ OUTDATED = "outdated report"
 class Progress:
     """Tells how a run goes on, and shows what there is before its end.
 
-    `tell` is called with a text and the share of combinations that are done, `show` with words about a preview, its
+    `tell` is called with a text, the share of combinations that are done, and details of the iteration, `show` with words about a preview, its
     figures and its packed scene, `keep` with provisional results as a task returns its own. `shown` is the combination
     that is looked at, None where no preview of it is wanted. `before` is how long the run before took to its first
     results, if known [s]; `accuracy` is asked for in place of that of the case, "" for that.
     """
 
-    tell: Callable[[str, float | None], None]
+    tell: Callable[[str, float | None, str], None]
     show: Callable[[str, dict[str, Any], bytes], None] = lambda _words, _figures, _scene: None
     shown: str | None = None
     keep: Callable[[Answer, bytes, Any], None] = lambda _answer, _scene, _kept: None
     before: float | None = None
     accuracy: str = ""
 
-    def __call__(self, text: str, share: float | None) -> None:
+    def __call__(self, text: str, share: float | None, details: str = "") -> None:
         """Tell how the run goes on."""
-        self.tell(text, share)
+        self.tell(text, share, details)
 
 
 #: Called before each chapter of a report with its title and the share that is made.
@@ -117,7 +117,7 @@ def solve(text: str, progress: Progress) -> tuple[Answer, bytes, Solved]:
 
     def on_combination(combination: Combination) -> None:
         combinations.begin(combination.name)
-        progress(f"{combinations.words()}begins", combinations.share)
+        progress(combinations.describe(), combinations.share, f"{combinations.words()}begins")
 
     def look(after: float) -> None:
         nonlocal has_preview
@@ -126,7 +126,7 @@ def solve(text: str, progress: Progress) -> tuple[Answer, bytes, Solved]:
             _show_preview(model, progress, progress.shown or "")
 
     def on_step(step: Step) -> None:
-        progress(combinations.words() + line(step), combinations.share)
+        progress(combinations.describe(step), combinations.share, combinations.words() + line(step))
         look(PREVIEW_AFTER)
 
     def on_mesh(results: Results) -> None:
@@ -223,7 +223,7 @@ def main(pipe: Connection, stop: Any, task: Task, prepare: Prepare | None) -> No
 def _prepare(pipe: Connection, prepare: Prepare) -> None:
     """Warm up until the first message arrives."""
 
-    def tell(_text: str, _share: float | None) -> None:
+    def tell(_text: str, _share: float | None, _details: str) -> None:
         if pipe.poll():
             raise Stopped
 
@@ -255,11 +255,11 @@ def _solve(pipe: Connection, stop: Any, task: Task, job: Job, known: Mapping[int
                 raise Stopped from None
             _send_view(pipe, view, {**known, **provisional})
 
-    def tell(message: str, share: float | None) -> None:
+    def tell(message: str, share: float | None, details: str = "") -> None:
         nonlocal sent
         listen()
         if time.monotonic() - sent >= PROGRESS_INTERVAL:
-            pipe.send(("progress", run, message, share))
+            pipe.send(("progress", run, message, share, details))
             sent = time.monotonic()
 
     def show(words: str, figures: dict[str, Any], scene: bytes) -> None:
@@ -274,7 +274,7 @@ def _solve(pipe: Connection, stop: Any, task: Task, job: Job, known: Mapping[int
         listen()
 
     try:
-        tell("begins", None)
+        tell("", None)
         answer, scene, kept = task(text, Progress(tell, show, shown, keep, before, accuracy))
     except Stopped:
         pipe.send(("stopped", run))

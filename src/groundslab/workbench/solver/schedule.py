@@ -145,7 +145,7 @@ class Schedule:
         job, is_stopping = active.job, active.kill_at is not None
         if kind == "progress":
             if not is_stopping:
-                active.progress = {"run": run, "text": rest[0], "share": rest[1]}
+                active.progress = {"run": run, "text": rest[0], "share": rest[1], "details": rest[2]}
                 self._notify("progress", active.progress)
         elif kind == "preview":
             if not active.is_cancelled:

@@ -397,12 +397,16 @@ q = "-10 kPa"
 
 def test_the_analysis_behind_it() -> None:
     """Two load cases, one of which lifts the plate off: progress, summary and scene of one, the other's refusal."""
-    said: list[tuple[str, float | None]] = []
+    said: list[tuple[str, float | None, str]] = []
     answer, scene, solved = process.solve(TWO, Progress(lambda *words: said.append(words)))
     assert solved.text == TWO
     assert list(solved.results.results) == ["down"]
     assert list(answer.refused) == ["up"]
-    assert [share for words, share in said if words.endswith("begins")] == [0.0, 0.5]
+    assert [(words, share) for words, share, details in said if details.endswith("begins")] == [
+        ("combination 1 of 2", 0.0),
+        ("combination 2 of 2", 0.5),
+    ]
+    assert [details for words, _, details in said if "contact" in words or "unknowns" in words] == []
     down, up = answer.summary["combinations"]
     assert (up["refused"], up["certificate"], up["sections"]) == (answer.refused["up"], None, [])
     assert down["refused"] is None
@@ -470,7 +474,7 @@ def test_every_mesh_but_the_last_has_provisional_results() -> None:
         'kind = "uniform"', 'kind = "point"\nx = "0 m"\ny = "0 m"'
     )
     text = text.replace('q = "10 kPa"', 'P = "100 kN"').replace('q = "-10 kPa"', 'P = "10 kN"')
-    tell = lambda words, _: said.append(words)  # noqa: E731
+    tell = lambda words, *_: said.append(words)  # noqa: E731
     last, _, _ = process.solve(text, Progress(tell, keep=lambda *outcome: kept.append(outcome)))
     (first, scene, _), (checked, _, solved), *_ = kept
     assert "design" not in first.summary
@@ -485,10 +489,10 @@ def test_every_mesh_but_the_last_has_provisional_results() -> None:
     assert b"Provisional: mesh 1 (" in process._write_report(solved, "slab.toml", lambda *_: None)
     assert last.provisional == ""
     assert 0.0 < first.first == checked.first == last.first < last.seconds
-    assert any(words.startswith("mesh 2, 1 of 2, down: ") for words in said)
+    assert any(words.startswith("combination 1 of 2, mesh 2") for words in said)
 
 
-def _stop(_words: str, _share: float | None) -> None:
+def _stop(*_: object) -> None:
     raise process.Stopped
 
 

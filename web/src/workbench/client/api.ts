@@ -76,6 +76,9 @@ export interface FileChanges {
   merged: string | null;
 }
 
+/** Which text counts from now on: that of the file, that of the page, or both merged. */
+export type Which = "theirs" | "mine" | "merged";
+
 export interface Folder {
   folder: string;
   parent: string | null;
@@ -275,7 +278,7 @@ export class HttpApi {
   fileChanged = () => this.json<{ outside: boolean }>("file");
   fileChanges = () => this.json<FileChanges>("file/changes");
   /** Let the text of the file, that of the page, or both merged count from now on. */
-  takeFile = (which: "theirs" | "mine" | "merged", digest: string) => this.json<DocState>("file", { which, digest });
+  takeFile = (which: Which, digest: string) => this.json<DocState>("file", { which, digest });
   summary = (run: number) => this.json<Summary>(`results/${run}/summary`);
   tables = (run: number) => this.json<string[]>(`results/${run}/tables`);
   table = (run: number, name: string) => this.json<ResultTable>(`results/${run}/tables/${name}`, undefined, 120_000);

@@ -139,9 +139,9 @@ export class Connection {
     on<{ run: number; version: number }>("solving", ({ run, version }) =>
       setRun({ kind: "solving", run, version, text: "", share: null }),
     );
-    on<{ run: number; text: string; share: number | null }>("progress", ({ run, text, share }) => {
+    on<{ run: number; text: string; share: number | null; details: string }>("progress", ({ run, ...told }) => {
       const now = this.store.run;
-      if (now.kind === "solving" && now.run === run) setRun({ ...now, text, share });
+      if (now.kind === "solving" && now.run === run) setRun({ ...now, ...told });
     });
     on<Preview>("preview", ({ run, version, words, figures }) =>
       this.store.set("preview", { run, version, words, figures }),

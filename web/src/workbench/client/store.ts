@@ -13,7 +13,7 @@ export type Connection = "ok" | "away" | "unauthorized";
 /** What the solver is doing. */
 export type Run =
   | { kind: "idle" }
-  | { kind: "solving"; run: number; version: number; text: string; share: number | null }
+  | { kind: "solving"; run: number; version: number; text: string; share: number | null; details?: string }
   | { kind: "refused"; version: number; message: string; issues: readonly Issue[] }
   | { kind: "cancelled" };
 

@@ -4,7 +4,7 @@ import { type Api, Refused } from "../client/api";
 import type { Store } from "../client/store";
 import type { Change } from "../model/edits";
 import { ALTERNATIVES, comparisonBar } from "./comparison-bar";
-import { freshness } from "./status";
+import { freshness } from "./standing";
 
 const HINT = "Puts the changes of this alternative, and its bars, into the case.";
 const STALE = "The case has changed since: try alternatives again.";
@@ -56,8 +56,8 @@ export class AlternativesBar {
 
   /** Whether the case is the one whose alternatives these are. */
   private isFresh(): boolean {
-    const { solved, doc, waitingCount } = this.store;
-    return this.run === solved?.run && freshness(solved, doc?.version, waitingCount) === "fresh";
+    const { solved } = this.store;
+    return this.run === solved?.run && freshness(solved, this.store) === "fresh";
   }
 
   private update(): void {

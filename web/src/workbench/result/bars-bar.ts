@@ -3,7 +3,7 @@ import { button, h, setRead, setText } from "../../viewer/shared/dom";
 import { type Api, Refused } from "../client/api";
 import type { Store } from "../client/store";
 import type { Change } from "../model/edits";
-import { freshness } from "./status";
+import { freshness } from "./standing";
 import "./comparison-bar.css";
 
 const HINT = "Replaces the bars of the case by a base in each layer and zones that cover what is required.";
@@ -15,7 +15,7 @@ export function barsBar(store: Store, api: Pick<Api, "proposeBars">, push: (chan
   const words = h("span", { class: "bars-words", role: "status" });
   const element = h("div", { class: "comparison-bar bars-bar" }, start, words);
   let isBusy = false;
-  const isFresh = () => freshness(store.solved, store.doc?.version, store.waitingCount) === "fresh";
+  const isFresh = () => freshness(store.solved, store) === "fresh";
 
   async function propose(): Promise<void> {
     const { solved } = store;

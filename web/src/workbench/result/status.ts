@@ -4,15 +4,7 @@ import { type Child, fill, h, setText } from "../../viewer/shared/dom";
 import { translate } from "../../viewer/shared/language";
 import type { Run, Solved, Store } from "../client/store";
 import { issueLine } from "../model/issues";
-
-/** How the shown result stands to the model. */
-export type Freshness = "none" | "fresh" | "stale";
-
-/** Whether the shown result is of the present model. */
-export function freshness(solved: Solved | null, version: number | undefined, waiting: number): Freshness {
-  if (!solved) return "none";
-  return solved.version === version && waiting === 0 ? "fresh" : "stale";
-}
+import { type Freshness, freshness } from "./standing";
 
 /** What the line says. */
 export function statusText(
@@ -56,9 +48,10 @@ export function statusLine(store: Store): HTMLElement {
   const element = h("div", { class: "result-status", role: "status" }, words, bar);
   const update = () => {
     const { run, solved, doc } = store;
-    const fresh = freshness(solved, doc?.version, store.waitingCount);
+    const fresh = freshness(solved, store);
     setText(words, statusText(fresh, run, solved, store.autosolve, doc?.issues.length ?? 0));
-    words.title = words.textContent ?? "";
+    const details = run.kind === "solving" ? translate(run.details ?? "") : "";
+    words.title = [words.textContent, details].filter(Boolean).join("\n");
     const failing = fresh === "fresh" && Boolean(solved?.design);
     element.dataset.state =
       run.kind === "solving" ? "solving" : run.kind === "refused" ? "refused" : failing ? "failing" : fresh;

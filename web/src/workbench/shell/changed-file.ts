@@ -1,11 +1,9 @@
 // A file that another program has changed: said in a banner, its difference shown, and which text counts settled.
 import { button, fill, h, verbatim } from "../../viewer/shared/dom";
-import { type Api, type FileChanges, Lost, Refused } from "../client/api";
+import { type Api, type FileChanges, Lost, Refused, type Which } from "../client/api";
 import type { Store } from "../client/store";
 import { closeDialog, openDialog } from "../controls/dialogs";
 
-/** Which text counts from now on: that of the file, that of the page, or both merged. */
-export type Which = "theirs" | "mine" | "merged";
 /** What a user decides about a file that has changed. */
 export type Decision = Which | "as" | "cancel";
 

@@ -1,6 +1,6 @@
 // Commands on the document.
 
-import { type Api, type DocState, type FileChanges, Lost, Refused, type SlabInFile } from "../client/api";
+import { type Api, type DocState, type FileChanges, Lost, Refused, type SlabInFile, type Which } from "../client/api";
 import type { EditQueue } from "../client/edit-queue";
 import type { Store } from "../client/store";
 import { ask } from "../controls/dialogs";
@@ -9,7 +9,7 @@ import { isBuilding, openSlab } from "../drawing/open-slab";
 import { chooseStart } from "../help/examples";
 import { isTableFile } from "../model/reactions";
 import { importReactions } from "../reactions/import-reactions";
-import { askAboutChanges, type Which } from "./changed-file";
+import { askAboutChanges } from "./changed-file";
 import { chooseFile } from "./file-dialog";
 
 export class Commands {

@@ -5,7 +5,7 @@ import { type Api, type MadeFile, Refused } from "../client/api";
 import type { Store } from "../client/store";
 import { ask } from "../controls/dialogs";
 import { showNotes } from "../drawing/report";
-import { freshness } from "../result/status";
+import { freshness } from "../result/standing";
 import { chooseExport } from "./export-dialog";
 
 /** A browser begins to save a file from an address some time after it was asked to [ms]. */
@@ -22,7 +22,7 @@ export function exportButton(store: Store, api: ExportApi, solve: () => Promise<
   const element = h("button", { type: "button", class: "export", title, onclick }, "Export …");
   let awaited: string | null = null;
 
-  const isStale = () => freshness(store.solved, store.doc?.version, store.waitingCount) === "stale";
+  const isStale = () => freshness(store.solved, store) === "stale";
 
   async function start(): Promise<void> {
     if (store.report) return;

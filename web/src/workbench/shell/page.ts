@@ -1,7 +1,7 @@
 // The page, made once schema and document are there.
 import { h, setText } from "../../viewer/shared/dom";
 import { casesPanel } from "../cases/cases-panel";
-import type { DocState, HttpApi } from "../client/api";
+import type { DocState, HttpApi, Which } from "../client/api";
 import { openSections } from "../client/browser-storage";
 import type { Connection } from "../client/connection";
 import type { EditQueue } from "../client/edit-queue";
@@ -25,7 +25,7 @@ import { ResultPanel } from "../result/result-panel";
 import { TablesPanel } from "../tables/tables-panel";
 import { TextPanel } from "../text/text-panel";
 import { banner, notices } from "./banner";
-import { changedFileBanner, type Which } from "./changed-file";
+import { changedFileBanner } from "./changed-file";
 import { Commands } from "./commands";
 import { issueList } from "./diagnostics";
 import { topBar, viewBar } from "./top-bar";

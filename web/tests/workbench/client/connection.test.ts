@@ -5,7 +5,8 @@ import { Connection, compareStates } from "../../../src/workbench/client/connect
 import { EditQueue } from "../../../src/workbench/client/edit-queue";
 import { Store } from "../../../src/workbench/client/store";
 import { sameValue, type Table, valueAt } from "../../../src/workbench/model/paths";
-import { freshness, statusText } from "../../../src/workbench/result/status";
+import { freshness } from "../../../src/workbench/result/standing";
+import { statusText } from "../../../src/workbench/result/status";
 import { FakeApi } from "../fake-api";
 
 class FakeEvents {
@@ -165,8 +166,8 @@ describe("the connection", () => {
     events().send("solved", { run: 3, version: 1, seconds: 2, provisional: "", update: 1 });
     expect(store.preview).toBeNull();
     expect([store.run.kind, store.solved?.run]).toEqual(["idle", 3]);
-    expect(freshness(store.solved, store.doc?.version, 0)).toBe("fresh");
-    expect(freshness(store.solved, store.doc?.version, 1)).toBe("stale");
+    expect(freshness(store.solved, store)).toBe("fresh");
+    expect(freshness(store.solved, { doc: store.doc, waitingCount: 1 })).toBe("stale");
   });
 });
 
