@@ -149,6 +149,10 @@ export class Canvas {
     return this.store.selection ? (this.selectedItems[0] ?? null) : null;
   }
 
+  get hasSlab(): boolean {
+    return this.items.some(({ kind }) => kind === "slab");
+  }
+
   /** The selected items that have a place in plan. */
   get selectedItems(): Item[] {
     return this.items.filter((item) => this.store.isSelected(item.path));

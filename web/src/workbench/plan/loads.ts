@@ -2,12 +2,20 @@
 import { button, fillOptions, h, setText, type Verbatim, verbatim } from "../../viewer/shared/dom";
 import { translate } from "../../viewer/shared/language";
 import type { Store } from "../client/store";
+import { allow } from "../controls/allow";
 import { defaultsFor } from "../model/defaults";
 import type { Change } from "../model/edits";
 import { UNPLACED } from "../model/items";
 import { namesIn } from "../model/names";
 import { listAt, type Path, type Table, tableAt } from "../model/paths";
+import { TEXT_FIRST } from "./actions/why-not";
 import { newCase } from "./new-case";
+
+/** The loads on the entire slab that buttons add: the schema's name and ours. */
+const ADDED = [
+  ["UniformLoad", "uniform load"],
+  ["SelfWeight", "self-weight"],
+] as const;
 
 interface Part {
   readonly element: HTMLElement;
@@ -22,7 +30,8 @@ export function caseChoice(store: Store, push: (change: Change) => void, onChoos
     add.hidden = true;
     asked.show(true);
   };
-  const add = button("+ case", "Add a load case for new loads", ask, "small");
+  const what = "Add a load case for new loads";
+  const add = button("+ case", what, ask, "small");
   const asked = newCase(store, push, (name) => {
     add.hidden = false;
     if (name === null) return;
@@ -35,22 +44,32 @@ export function caseChoice(store: Store, push: (change: Change) => void, onChoos
     const before = select.value;
     fillOptions(select, [["", "all load cases"], ...names.map((name) => [name, verbatim(name)] as const)]);
     select.hidden = names.length === 0;
-    add.disabled = store.broken;
+    allow(add, store.broken ? TEXT_FIRST : "", what);
     if (select.value !== before) onChoose(select.value);
   };
   return { element: h("div", { class: "case-choice" }, select, asked.element, add), update };
 }
 
+/** Where a new load belongs, and what removes the one that is selected. */
+interface LoadHooks {
+  loadCase(): string;
+  remove(): void;
+}
+
 /** Loads on the entire slab, and buttons that add them. */
-export function unplacedLoads(store: Store, push: (change: Change) => void, loadCase: () => string): Part {
+export function unplacedLoads(store: Store, push: (change: Change) => void, { loadCase, remove }: LoadHooks): Part {
   // buttons are kept, so that a press is not lost where leaving a field changes a load meanwhile
   const chips: { button: HTMLButtonElement; path: Path }[] = [];
   const none = h("span", { class: "quiet" }, "no loads");
   const box = h("span", { class: "chips" }, none);
-  const adds = [
-    ["UniformLoad", "uniform load"],
-    ["SelfWeight", "self-weight"],
-  ].map(([definition = "", text = ""]) =>
+  box.addEventListener("keydown", (event) => {
+    const chip = chips.find(({ button }) => button === event.target);
+    if (!chip || (event.key !== "Delete" && event.key !== "Backspace")) return;
+    event.preventDefault();
+    store.select(chip.path);
+    remove();
+  });
+  const adds = ADDED.map(([definition, text]) =>
     button(
       verbatim(`+ ${translate(text)}`),
       `Add ${text}`,
@@ -79,7 +98,7 @@ export function unplacedLoads(store: Store, push: (change: Change) => void, load
       chip.button.setAttribute("aria-pressed", String(store.isSelected(path)));
     });
     none.hidden = paths.length > 0;
-    for (const add of adds) add.disabled = store.broken;
+    for (const [n, add] of adds.entries()) allow(add, store.broken ? TEXT_FIRST : "", `Add ${ADDED[n]![1]}`);
   };
   const element = h(
     "div",

@@ -6,13 +6,14 @@ import { joinEdits } from "../model/changes/batches";
 import type { Change } from "../model/edits";
 import { countItems } from "../model/items";
 import { type Path, startsWith, valueAt } from "../model/paths";
-import { actionButtons } from "./actions/action-bar";
+import { actionBar } from "./actions/action-bar";
 import { Actions } from "./actions/actions";
 import { useClipboard } from "./actions/clipboard";
 import { ActionDialog } from "./actions/dialog";
+import { whyFixed, whyNotDrawn } from "./actions/why-not";
 import { Canvas } from "./canvas";
 import { Keyboard } from "./interaction/keyboard";
-import { Pointer, whyFixed } from "./interaction/pointer";
+import { Pointer } from "./interaction/pointer";
 import { caseChoice, unplacedLoads } from "./loads";
 import { propertyPanel } from "./properties";
 import { toolBar } from "./tool-bar";
@@ -39,14 +40,20 @@ export function planEditor(store: Store, context: FormContext, send: (change: Ch
   const showHint = (text: string) => setText(hint, text);
   const actions = new Actions(canvas, store, push, showHint);
   const dialog = new ActionDialog(canvas, actions);
-  const panel = propertyPanel(ctx, push, dialog.element, () => actionButtons(actions, dialog, store.selected));
+  const acts = actionBar(actions, dialog);
+  const panel = propertyPanel(ctx, push, dialog.element, acts.buttons);
   const takeTool = (tool: Tool) => {
     pointer.cancel();
     showHint(tool.hint);
     canvas.element.dataset.tool = tool.draws;
     canvas.element.focus({ preventScroll: true });
   };
-  const tools = toolBar(takeTool, (generator) => dialog.open(generator));
+  const tools = toolBar({
+    onChange: takeTool,
+    onGenerate: (generator) => dialog.open(generator),
+    onRefuse: showHint,
+    whyNot: (name) => whyNotDrawn(store, canvas.hasSlab, name),
+  });
   const pointer = new Pointer(canvas, store, {
     push,
     tool: () => tools.current(),
@@ -60,7 +67,7 @@ export function planEditor(store: Store, context: FormContext, send: (change: Ch
   new Keyboard(canvas, pointer, store, push, tools, actions, dialog, showHint);
   useClipboard(canvas.element, actions, () => pointer.place);
   const box = drawingBox(store, canvas, push);
-  const loads = unplacedLoads(store, push, () => canvas.loadCase);
+  const loads = unplacedLoads(store, push, { loadCase: () => canvas.loadCase, remove: () => actions.remove() });
   const middle = h("div", { class: "plan-middle" }, box, loads.element, hint);
   const element = h("div", { class: "plan-editor" }, tools.element, middle, panel.element);
   showHint(tools.current().hint);
@@ -76,17 +83,21 @@ export function planEditor(store: Store, context: FormContext, send: (change: Ch
     const isOfAxes = store.selection?.[0] === "axes";
     showHint(describeSelection(canvas) ?? (isOfAxes ? HOW_AXES : tools.current().hint));
   });
-  store.on(["data", "selection"], () => {
+  store.on(["data", "doc", "selection"], () => {
+    tools.update();
+    acts.update();
     loads.update();
-    panel.show(store.selected);
   });
-  const reveal = (path: Path) => {
-    const item = canvas.items.findLast((one) => one.kind !== "slab" && startsWith(path, one.path));
-    if (!item && path[0] !== "plate") return false;
-    store.select(item?.path ?? null);
-    return panel.reveal(path);
-  };
-  return { element, reveal };
+  store.on(["data", "selection"], () => panel.show(store.selected));
+  return { element, reveal: (path) => selectAt(store, canvas, path) && panel.reveal(path) };
+}
+
+/** Select the item that a path is in, none for the slab itself; returns whether it is in any. */
+function selectAt(store: Store, canvas: Canvas, path: Path): boolean {
+  const item = canvas.items.findLast((one) => one.kind !== "slab" && startsWith(path, one.path));
+  if (!item && path[0] !== "plate") return false;
+  store.select(item?.path ?? null);
+  return true;
 }
 
 /** Make the drawing with the controls in its corner, and with what it says while there is no slab. */
@@ -108,7 +119,7 @@ function drawingBox(store: Store, canvas: Canvas, push: (change: Change) => void
     // what has been removed is no longer selected
     store.selectAll(store.selected.filter((path) => valueAt(store.data, path) !== undefined));
     cases.update();
-    empty.hidden = canvas.items.some(({ kind }) => kind === "slab");
+    empty.hidden = canvas.hasSlab;
   });
   return box;
 }

@@ -15,12 +15,12 @@ export interface PropertyPanel extends Widget {
 
 const INSIDE_PLATE = ["openings", "zones", "edges"]; // of the slab: items of their own, or in the form
 
-/** `dialog` takes the place of the fields while it is shown; `makeButtons` makes the buttons of the actions on what is selected. */
+/** `dialog` takes the place of the fields while it is shown; `acts` are the buttons of the actions on what is selected. */
 export function propertyPanel(
   ctx: FormContext,
   push: (change: Change) => void,
   dialog: HTMLElement,
-  makeButtons: () => HTMLElement[],
+  acts: readonly HTMLElement[],
 ): PropertyPanel {
   const title = h("h3");
   const buttons = h("div", { class: "property-acts", role: "toolbar", "aria-label": "actions on the selection" });
@@ -50,7 +50,7 @@ export function propertyPanel(
     shown = widget ? paths : [];
     fill(title);
     fill(body, widget?.element ?? h("p", { class: "empty" }, "Nothing is selected."));
-    fill(buttons, ...(isSlab ? [toPolygon] : []), ...(first && widget ? makeButtons() : []));
+    fill(buttons, ...(isSlab ? [toPolygon] : []), ...(first && widget ? acts : []));
     update();
     element.scrollTop = 0;
   };

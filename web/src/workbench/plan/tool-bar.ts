@@ -1,7 +1,8 @@
 // The tools beside the drawing, with names and keys.
-import { h, verbatim } from "../../viewer/shared/dom";
+import { h, type Verbatim, verbatim } from "../../viewer/shared/dom";
 import { translate } from "../../viewer/shared/language";
-import type { Generator } from "./generators/generator";
+import { allow } from "../controls/allow";
+import type { Generator, GeneratorName } from "./generators/generator";
 import { GENERATORS } from "./generators/generators";
 import { toolIcon } from "./tool-icons";
 import { type Tool, type ToolName, toolOf } from "./tools";
@@ -10,6 +11,19 @@ export interface ToolBar {
   readonly element: HTMLElement;
   current(): Tool;
   choose(name: ToolName): void;
+  /** Let those act that can, and the others say why they cannot. */
+  update(): void;
+  whyNot: ToolHooks["whyNot"];
+}
+
+export interface ToolHooks {
+  /** A tool has been chosen. */
+  onChange(tool: Tool): void;
+  onGenerate(generator: Generator): void;
+  /** A tool that can do nothing now has been asked for. */
+  onRefuse(why: string): void;
+  /** Return why a tool can do nothing now, empty if it can. */
+  whyNot(name: ToolName | GeneratorName): string;
 }
 
 const GROUPS: readonly (readonly ToolName[])[] = [
@@ -21,8 +35,7 @@ const GROUPS: readonly (readonly ToolName[])[] = [
   ["section line", "strip", "refinement"],
 ];
 
-/** Make the tool bar; `onChange` is called with every tool that is chosen, `onGenerate` with a generator. */
-export function toolBar(onChange: (tool: Tool) => void, onGenerate: (generator: Generator) => void): ToolBar {
+export function toolBar({ onChange, onGenerate, onRefuse, whyNot }: ToolHooks): ToolBar {
   let current = toolOf("select");
   const groups = GROUPS.map((names) => names.map((name) => makeButton(toolOf(name), () => choose(name))));
   const generators = GENERATORS.map((each) => makeButton(each, () => onGenerate(each)));
@@ -35,9 +48,19 @@ export function toolBar(onChange: (tool: Tool) => void, onGenerate: (generator: 
     }
   };
   const choose = (name: ToolName) => {
+    const why = whyNot(name);
+    if (why) return onRefuse(why);
     current = toolOf(name);
     mark();
     onChange(current);
+  };
+  const update = () => {
+    const all = [...GROUPS.flat().map(toolOf), ...GENERATORS];
+    for (const [n, each] of all.entries()) {
+      const why = whyNot(each.name);
+      allow(buttons[n]!, why && titleOf(each, why), titleOf(each, each.hint));
+    }
+    if (whyNot(current.name)) choose("select");
   };
   mark();
   for (const each of generators) each.tabIndex = -1;
@@ -51,17 +74,23 @@ export function toolBar(onChange: (tool: Tool) => void, onGenerate: (generator: 
     const by = event.key === "ArrowDown" ? 1 : event.key === "ArrowUp" ? -1 : 0;
     if (by === 0) return;
     event.preventDefault();
-    const now = buttons.indexOf(document.activeElement as HTMLButtonElement);
-    buttons[(now + by + buttons.length) % buttons.length]?.focus();
+    const free = buttons.filter((each) => !each.disabled);
+    const now = free.indexOf(document.activeElement as HTMLButtonElement);
+    free[(now + by + free.length) % free.length]?.focus();
   });
-  return { element, current: () => current, choose };
+  return { element, current: () => current, choose, update, whyNot };
 }
 
-function makeButton({ name, label, key, hint }: Tool | Generator, choose: () => void): HTMLButtonElement {
+function titleOf({ label, key }: Tool | Generator, what: string): Verbatim {
+  return verbatim(`${translate(label)}${key && ` (${key})`}. ${translate(what)}`);
+}
+
+function makeButton(tool: Tool | Generator, choose: () => void): HTMLButtonElement {
+  const { name, label, key, hint } = tool;
   const attributes = {
     type: "button",
     class: "tool",
-    title: verbatim(`${translate(label)}${key && ` (${key})`}. ${translate(hint)}`),
+    title: titleOf(tool, hint),
     "aria-keyshortcuts": key || null,
     "data-tool": name,
     onclick: choose,

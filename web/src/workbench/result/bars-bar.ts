@@ -2,12 +2,13 @@
 import { button, h, setRead, setText } from "../../viewer/shared/dom";
 import { type Api, Refused } from "../client/api";
 import type { Store } from "../client/store";
+import { allow } from "../controls/allow";
 import type { Change } from "../model/edits";
-import { freshness } from "./standing";
+import { whyNotMade } from "./standing";
 import "./comparison-bar.css";
 
 const HINT = "Replaces the bars of the case by a base in each layer and zones that cover what is required.";
-const STALE = "Solve first: the case has changed since.";
+const BUSY = "Bars are chosen …";
 
 export function barsBar(store: Store, api: Pick<Api, "proposeBars">, push: (change: Change) => void): HTMLElement {
   const start = button("Propose bars", HINT, () => void propose());
@@ -15,17 +16,17 @@ export function barsBar(store: Store, api: Pick<Api, "proposeBars">, push: (chan
   const words = h("span", { class: "bars-words", role: "status" });
   const element = h("div", { class: "comparison-bar bars-bar" }, start, words);
   let isBusy = false;
-  const isFresh = () => freshness(store.solved, store) === "fresh";
 
   async function propose(): Promise<void> {
     const { solved } = store;
-    if (!solved || isBusy || !isFresh()) return;
-    say(true, "Bars are chosen …");
+    if (!solved || isBusy || whyNotMade(store)) return;
+    say(true, BUSY);
     try {
       const value = await api.proposeBars(solved.run);
       // whoever has edited in the meantime keeps these edits
-      if (isFresh()) push({ edits: [{ op: "text", value }], text: "propose bars" });
-      say(false, isFresh() ? HINT : STALE);
+      const why = whyNotMade(store);
+      if (!why) push({ edits: [{ op: "text", value }], text: "propose bars" });
+      say(false, why || HINT);
     } catch (error) {
       say(false, error instanceof Refused ? error.message : String(error), true);
     }
@@ -40,8 +41,7 @@ export function barsBar(store: Store, api: Pick<Api, "proposeBars">, push: (chan
   }
 
   function update(): void {
-    start.disabled = isBusy || !isFresh() || store.solved?.provisional !== "";
-    setRead(start, "title", isFresh() ? HINT : STALE);
+    allow(start, isBusy ? BUSY : whyNotMade(store), HINT);
   }
 
   store.on(["solved", "doc", "waiting"], update);

@@ -2,6 +2,7 @@
 import { button, h, setText } from "../../viewer/shared/dom";
 import type { Api, ComparisonKind } from "../client/api";
 import type { Store } from "../client/store";
+import { allow } from "../controls/allow";
 import "./comparison-bar.css";
 
 /** What is compared: its name, the words of the button, and what it does. */
@@ -41,13 +42,14 @@ export function comparisonBar(
     const comparison = store.comparison?.kind === kind ? store.comparison : null;
     const running = comparison?.state === "running";
     start.hidden = running;
+    allow(start, store.solved ? "" : "Solve first: there are no results yet.", hint);
     cancel.hidden = bar.hidden = !running;
     bar.value = comparison?.share ?? 0;
     element.classList.toggle("bad", comparison?.state === "failed" && comparison.text !== "");
     setText(words, running || comparison?.state === "failed" ? comparison.text : hint);
     words.title = words.textContent ?? "";
   };
-  store.on(["comparison"], update);
+  store.on(["comparison", "solved"], update);
   update();
   return element;
 }

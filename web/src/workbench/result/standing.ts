@@ -36,3 +36,10 @@ export function standingOf(known: Known): Standing {
   if (drawn.isPreview) return "preview";
   return solved?.provisional ? "provisional" : "current";
 }
+
+/** Return why nothing for the present model can be made of the last results, empty if it can. */
+export function whyNotMade(known: Known): string {
+  if (known.solved === null) return "Solve first: there are no results yet.";
+  if (freshness(known.solved, known) === "stale") return "Solve first: the case has changed since.";
+  return known.solved.provisional === "" ? "" : "The mesh is still being refined.";
+}

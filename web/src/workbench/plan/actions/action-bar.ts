@@ -1,22 +1,25 @@
 // The buttons of the actions on what is selected.
 import { button } from "../../../viewer/shared/dom";
-import type { Path } from "../../model/paths";
+import { allow } from "../../controls/allow";
 import type { Actions } from "./actions";
 import type { ActionDialog } from "./dialog";
 import { FORMS } from "./forms";
+import type { SelectionAction } from "./why-not";
 
-/** Return buttons for the actions on the items at some paths; the slab is neither copied nor removed. */
-export function actionButtons(actions: Actions, dialog: ActionDialog, paths: readonly Path[]): HTMLElement[] {
-  const isSlab = paths.every((path) => path[0] === "plate" && path.length < 3);
-  const forms = FORMS.filter((form) => !isSlab || form.name !== "array").map((form) => {
-    const each = button(`${form.label} …`, `${form.hint} (${form.key})`, () => dialog.open(form), "small");
+/** Make the buttons; `update` lets those act that can, and the others say why they cannot. */
+export function actionBar(actions: Actions, dialog: ActionDialog) {
+  const acts: { name: SelectionAction; hint: string; button: HTMLButtonElement }[] = FORMS.map((form) => {
+    const hint = `${form.hint} (${form.key})`;
+    const each = button(`${form.label} …`, hint, () => dialog.open(form), "small");
     each.setAttribute("aria-keyshortcuts", form.key);
-    return each;
+    return { name: form.name, hint, button: each };
   });
-  if (isSlab) return forms;
-  return [
-    ...forms,
-    button("Duplicate", "Create a copy next to it (Ctrl+D)", () => actions.duplicate(), "small"),
-    button("Remove", "Remove (Delete)", () => actions.remove(), "small"),
-  ];
+  const add = (name: SelectionAction, label: string, hint: string, act: () => void) =>
+    acts.push({ name, hint, button: button(label, hint, act, "small") });
+  add("duplicate", "Duplicate", "Create a copy next to it (Ctrl+D)", () => actions.duplicate());
+  add("remove", "Remove", "Remove (Delete)", () => actions.remove());
+  const update = () => {
+    for (const { name, hint, button } of acts) allow(button, actions.whyNot(name), hint);
+  };
+  return { buttons: acts.map(({ button }) => button), update };
 }

@@ -21,6 +21,7 @@ import type { Canvas } from "../canvas";
 import type { Values } from "../fields";
 import { casesToChoose, type Generator } from "../generators/generator";
 import { type ActionForm, FORMS } from "./forms";
+import { type SelectionAction, whyNotDone } from "./why-not";
 
 export class Actions {
   constructor(
@@ -80,9 +81,16 @@ export class Actions {
     return { all, active: this.canvas.loadCase || all[0]! };
   }
 
+  /** Return why an action can do nothing with what is selected, empty if it can. */
+  whyNot(action: SelectionAction): string {
+    return whyNotDone(this.store, this.canvas.selectedItems, action);
+  }
+
   remove(): void {
     const paths = this.store.selected.filter((path) => path[0] !== "plate" || path.length > 2);
-    if (paths.length === 0 || this.store.broken) return;
+    const why = this.store.selected.length > 0 ? this.whyNot("remove") : "";
+    if (why) this.showHint(why);
+    if (paths.length === 0 || why) return;
     this.push(removeItems(this.store.data, paths));
     this.store.select(null);
   }

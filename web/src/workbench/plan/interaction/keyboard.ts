@@ -65,7 +65,7 @@ export class Keyboard {
         break;
       case "Delete":
       case "Backspace":
-        if (!this.store.broken) this.remove();
+        this.remove();
         break;
       case "0":
         canvas.fit();
@@ -113,9 +113,12 @@ export class Keyboard {
   /** Open the dialog of a key; returns whether there is one, an action only if something is selected. */
   private openAction(key: string): boolean {
     const action = this.store.selected.length > 0 ? formForKey(key) : null;
-    const form = action ?? generatorForKey(key);
-    if (!form || this.store.broken) return false;
-    this.dialog.open(form);
+    const generator = action ? null : generatorForKey(key);
+    const form = action ?? generator;
+    if (!form) return false;
+    const why = generator ? this.tools.whyNot(generator.name) : this.actions.whyNot(action!.name);
+    if (why) this.showHint(why);
+    else this.dialog.open(form);
     return true;
   }
 
@@ -133,7 +136,7 @@ export class Keyboard {
   private remove(): void {
     const { selected, corner } = this.canvas;
     const after = selected && corner !== null ? removeCorner(selected.geometry, corner) : null;
-    if (selected && after) {
+    if (selected && after && !this.store.broken) {
       this.canvas.corner = null;
       const edits = [...detachingEdits(selected), ...editsBetween(selected.geometry, after)];
       this.push({ edits, text: `remove a corner of ${selected.title}` });

@@ -5,6 +5,7 @@ import type { Addition, Change } from "../../model/edits";
 import type { Point } from "../../model/geometry";
 import { type Item, isPlate, loadsOn } from "../../model/items";
 import { type Path, samePath } from "../../model/paths";
+import { whyFixed } from "../actions/why-not";
 import type { Canvas } from "../canvas";
 import type { Tool } from "../tools";
 import { AxisGesture } from "./axis-gesture";
@@ -327,17 +328,4 @@ export class Pointer {
     this.cancel();
     if (addition) this.hooks.onDrawn(addition);
   }
-}
-
-/** Return why an item cannot be moved. */
-export function whyFixed(item: Item): string {
-  if (item.kind === "slab")
-    return "A rectangle defined by its side lengths is centered on the origin. Drag its edges, or convert it to a polygon to move it.";
-  if (item.kind === "joint") return "It is where its plates meet and moves with them.";
-  if (item.kind === "load") {
-    const host = item.table.wall ? `wall ${String(item.table.wall)}` : `column ${String(item.table.column)}`;
-    return `It is attached to ${host} and moves with it.`;
-  }
-  if (item.kind === "wall") return "It stands along the slab's edge and moves with it.";
-  return "It cannot be moved right now.";
 }
