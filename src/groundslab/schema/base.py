@@ -30,6 +30,8 @@ class Section(metaclass=SectionType):
     checks: ClassVar[tuple[Check, ...]] = ()
     #: Keys that follow from another one where that is given: files need them then no more, and leave them out.
     follow: ClassVar[Mapping[str, tuple[str, ...]]] = {}
+    #: Keys that mean something only where another one has a value: pages offer them there alone.
+    only_if: ClassVar[Mapping[tuple[str, str], tuple[str, ...]]] = {}
 
     def __init__(self, **data: Any) -> None:
         """Validate the data; raises InputError with all issues."""

@@ -30,6 +30,9 @@ def docs_table(root: type[Section]) -> str:
 
 def _part_schema(part: type[Section], definitions: dict[str, Any]) -> dict[str, Any]:
     properties = {name: _field_schema(field, definitions) for name, field in part.model_fields.items()}
+    for (key, value), names in part.only_if.items():
+        for name in names:
+            properties[name] = {**properties[name], "x-only-if": {key: value}}
     # the tag of a kind is required in a file, although Python knows it from the class
     required = [name for name, field in part.model_fields.items() if field.required or field.is_tag]
     # keys that follow from another one are not required where that is given

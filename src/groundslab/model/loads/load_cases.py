@@ -44,6 +44,9 @@ class LoadCase(Section):
     """Loads that always act together."""
 
     checks: ClassVar[tuple[Check, ...]] = (_check_psi,)
+    only_if: ClassVar[Mapping[tuple[str, str], tuple[str, ...]]] = {
+        ("action", "variable"): ("category", "psi_0", "psi_1", "psi_2", "group")
+    }
 
     name: Annotated[str, Text("name of the case, used by loads and combinations")]
     action: Annotated[Kind, Choice(Kind, "kind of action, for automatic combinations")] = "permanent"

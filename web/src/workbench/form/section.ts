@@ -4,7 +4,7 @@ import { defaultPlacement } from "../model/changes/variants";
 import { defaultsFor, hasDefaults } from "../model/defaults";
 import { issuesOfPart } from "../model/issues";
 import { type Path, pathKey, startsWith, tableAt, valueAt } from "../model/paths";
-import type { Field, Node, Part } from "../model/schema";
+import { type Field, type Node, type Part, whyIdle } from "../model/schema";
 import type { FormContext, Widget } from "./context";
 import { showIssues } from "./errors";
 import { valueField } from "./inputs/value-field";
@@ -58,13 +58,25 @@ function fieldWidgets(ctx: FormContext, path: Path, part: Part | null, without: 
   const isPlate = part?.name === "Plate";
   const hidden: readonly string[] = isPlate ? [...without, ...SHAPE_KEYS] : without;
   const fields = part?.fields.filter((field) => field.node.is !== "tag" && !hidden.includes(field.name)) ?? [];
-  const make = (field: Field) => nodeWidget(ctx, [...path, field.name], field);
+  const make = (field: Field) => whereItMatters(ctx, path, part, field);
   const short = fields.filter((field) => !isLong(field)).map(make);
   const long = fields.filter(isLong).map(make);
   if (hasLayers(part)) return [...short, layersPicture(ctx, path), ...long];
   if (!isPlate) return [...short, ...long];
   const outline = partWidget(ctx, OUTLINE, { is: "kinds", parts: SHAPES });
   return [plateShape(ctx), ...short, plateOutline(ctx, outline), ...long];
+}
+
+/** A field that is hidden where it means nothing, unless the file has it. */
+function whereItMatters(ctx: FormContext, path: Path, part: Part | null, field: Field): Widget {
+  const widget = nodeWidget(ctx, [...path, field.name], field);
+  if (!part || Object.keys(field.onlyIf).length === 0) return widget;
+  const update = () => {
+    const table = tableAt(ctx.data(), path);
+    widget.element.hidden = !(field.name in table) && whyIdle(part, field, table) !== "";
+    widget.update();
+  };
+  return { ...widget, update };
 }
 
 /** Whether a field takes a part of the form for itself. */

@@ -1,6 +1,6 @@
 // The JSON schema of the case file, read into what a form needs of it.
 
-import { isTable, type Json, listAt, type Table } from "./paths";
+import { isTable, type Json, listAt, type Table, tableAt } from "./paths";
 
 /** What a value is, and so which element edits it. */
 export type Node =
@@ -29,6 +29,8 @@ export interface Field {
   range: string;
   needed: boolean;
   default: Json | undefined;
+  /** The values of other keys with which alone it means something. */
+  onlyIf: Table;
 }
 
 /** A table of the case file: its keys. */
@@ -94,6 +96,15 @@ export class Schema {
   }
 }
 
+/** Return why a field means nothing in a table of a part, empty if it means something. */
+export function whyIdle(part: Part, field: Field, table: Table): string {
+  const needed = Object.entries(field.onlyIf).find(([key, value]) => {
+    const other = part.fields.find(({ name }) => name === key);
+    return (table[key] ?? other?.default) !== value;
+  });
+  return needed ? `Only where ${needed[0]} is ${String(needed[1])}.` : "";
+}
+
 function readPart(name: string, source: Table): Part {
   const properties = isTable(source.properties) ? source.properties : {};
   // of keys one of which follows from the other, those that are usually given
@@ -113,7 +124,8 @@ function readField(name: string, source: Table, needed: boolean): Field {
   const items = isTable(source.items) ? source.items : {};
   const own = valueSchema(source);
   const range = text(own["x-range"]) || text(items["x-range"]) || rangeOf(own);
-  return { name, node: readNode(source), symbol, hint, range, needed, default: source.default };
+  const onlyIf = tableAt(source, ["x-only-if"]);
+  return { name, node: readNode(source), symbol, hint, range, needed, default: source.default, onlyIf };
 }
 
 /** Return an example of a quantity in the units of the file: the first is in SI units, the last in those customary in the United States. */

@@ -131,24 +131,25 @@ export class Grid {
     const isActive = cell.row === active.row && cell.column === active.column;
     const text = open.textAt(cell);
     const issues = open.issuesAt(cell);
-    const standard = text === "" && open.pathOf(cell.row) ? defaultText(column.field.default) : "";
+    const idle = open.whyIdle(cell);
+    const standard = text === "" && !idle && open.pathOf(cell.row) ? defaultText(column.field.default) : "";
     const isNumber = ["quantity", "number", "integer"].includes(column.node.is);
     const names = [
       inBlock ? "chosen" : "",
       isActive ? "active" : "",
       issues.length > 0 ? "faulty" : "",
       isNumber ? "number" : "",
-      isEditable(column) ? "" : "fixed",
+      isEditable(column) && !idle ? "" : "fixed",
     ];
     return h(
       "td",
       {
         id: `cell-${cell.row}-${cell.column}`,
         class: names.filter(Boolean).join(" ") || null,
-        title: issues.join(" ") || (text.length > WIDEST ? verbatim(text) : null),
+        title: issues.join(" ") || idle || (text.length > WIDEST ? verbatim(text) : null),
         "aria-selected": inBlock ? "true" : "false",
         "aria-invalid": issues.length > 0 ? "true" : null,
-        "aria-readonly": isEditable(column) ? null : "true",
+        "aria-readonly": isEditable(column) && !idle ? null : "true",
       },
       text ? verbatim(text) : standard && h("span", { class: "standard" }, verbatim(standard)),
     );

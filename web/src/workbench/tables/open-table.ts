@@ -4,7 +4,7 @@ import type { Change } from "../model/edits";
 import { type Issue, issueSentence } from "../model/issues";
 import { type Json, listAt, type Path, pathKey, type Table, tableAt, valueAt } from "../model/paths";
 import { unitIn } from "../model/quantities";
-import type { Field } from "../model/schema";
+import { type Field, whyIdle } from "../model/schema";
 import { cellText, commonUnit, parseCell } from "./cells";
 import { type Write, writeCells } from "./changes";
 import { type Column, columnsOf, headText, isEditable } from "./columns";
@@ -59,6 +59,13 @@ export class OpenTable {
   textAt({ row, column }: Cell): string {
     const shown = this.columns[column];
     return shown ? cellText(this.ctx.schema, shown, this.rows[row] ?? {}) : "";
+  }
+
+  /** Return why a cell without a value would mean nothing, empty if it would or has one. */
+  whyIdle(cell: Cell): string {
+    const shown = this.columns[cell.column];
+    const row = this.rows[cell.row];
+    return shown && row && this.textAt(cell) === "" ? whyIdle(this.sheet.part, shown.field, row) : "";
   }
 
   /** Return what is wrong with a cell: with its value, or with the list or table that the value is part of. */

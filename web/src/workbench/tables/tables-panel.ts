@@ -224,6 +224,8 @@ export class TablesPanel {
       this.said = `The ${nameOf(column)} can be edited in the plan or the form.`;
       return this.tell();
     }
+    this.said = this.open.whyIdle(active);
+    if (this.said) return this.tell();
     const item = this.open.pathOf(active.row) ?? [this.sheet.list, this.open.positions.length];
     const options = optionsFor(this.ctx.data(), column, item);
     const label = `${nameOf(column)} of row ${this.open.numberOf(active.row)}`;

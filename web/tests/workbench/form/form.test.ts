@@ -55,6 +55,28 @@ describe("a floor with vehicles and racks", () => {
   });
 });
 
+describe("psi of a load case", () => {
+  const psi = ["cases", 0, "psi_0"];
+
+  it("are asked for of variable cases alone", () => {
+    const page = new Page({ ...PLATE, cases: [{ name: "G" }] });
+    page.show(["cases", 0]);
+    expect(page.field(psi).hidden).toBe(true);
+    expect(page.field(["cases", 0, "H_x"]).hidden).toBe(false);
+    page.ctx.change({ edits: [{ op: "set", path: ["cases", 0, "action"], value: "variable" }], text: "" });
+    expect(page.field(psi).hidden).toBe(false);
+    page.ctx.change({ edits: [{ op: "set", path: ["cases", 0, "action"], value: "seismic" }], text: "" });
+    expect(page.field(psi).hidden).toBe(true);
+  });
+
+  it("stay where the file has them", () => {
+    const page = new Page({ ...PLATE, cases: [{ name: "G", psi_0: 0.6 }] });
+    page.show(["cases", 0]);
+    expect(page.field(psi).hidden).toBe(false);
+    expect(page.field(["cases", 0, "psi_1"]).hidden).toBe(true);
+  });
+});
+
 describe("a building above", () => {
   const columns = ["A", "B"].map((name, n) => ({ name, x: `${n} m`, y: "0 m", width_x: "0.4 m", width_y: "0.4 m" }));
 

@@ -210,3 +210,18 @@ describe("issues", () => {
     expect(table.issuesAt({ row: 0, column: columnOf(table, "x.1") })).toHaveLength(1);
   });
 });
+
+describe("cells of keys that mean nothing in their row", () => {
+  it("say so unless they have a value", () => {
+    const cases = [{ name: "G" }, { name: "Q", action: "variable" }, { name: "A", action: "accidental", psi_0: 0.5 }];
+    const table = openTable("cases", { cases }, [], true);
+    const [psi, force] = [columnOf(table, "psi_0"), columnOf(table, "H_x")];
+    expect([0, 1, 2, 3].map((row) => table.whyIdle({ row, column: psi }))).toEqual([
+      "Only where action is variable.",
+      "",
+      "",
+      "",
+    ]);
+    expect(table.whyIdle({ row: 0, column: force })).toBe("");
+  });
+});

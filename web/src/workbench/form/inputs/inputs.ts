@@ -6,7 +6,7 @@ import { symbolText } from "../../../viewer/shared/symbols";
 import { debounce } from "../../client/debounce";
 import { referencedNames } from "../../model/changes/references";
 import { issuesAt } from "../../model/issues";
-import { type Json, type Path, pathKey, startsWith, type Table, valueAt } from "../../model/paths";
+import { type Json, type Path, pathKey, sameValue, startsWith, type Table, valueAt } from "../../model/paths";
 import { parseInput, unitIn } from "../../model/quantities";
 import { exampleOf, type Field, type Node } from "../../model/schema";
 import { type FormContext, isSentWhenComplete, setValue, type Widget } from "../context";
@@ -155,7 +155,8 @@ export function tupleInput(
     const elementAt = (k: number) => (Array.isArray(old) ? old[k] : undefined) ?? defaultElement(standard, k);
     const list = Array.from({ length }, (_, k) => elementAt(k));
     list[n] = value ?? "";
-    const empty = value === undefined && list.every((item, k) => item === "" || (!Array.isArray(old) && k !== n));
+    const isUsual = (item: Json, k: number) => item === "" || sameValue(item, defaultElement(standard, k));
+    const empty = value === undefined && list.every(isUsual);
     setValue(ctx, path, empty ? undefined : list, typing);
   };
   const cells = Array.from({ length }, (_, n) =>
@@ -200,6 +201,23 @@ function valuesInput(ctx: FormContext, path: Path, each: Node): Input {
   return { ...input, update };
 }
 
+/** An input that cannot be emptied, with a button that puts an optional key back to its default. */
+function withReset(ctx: FormContext, path: Path, { needed, default: standard }: Field, input: Input): Input {
+  if (needed) return input;
+  const written = defaultText(standard);
+  const title = written ? `Back to the default: ${written}` : "Back to no value";
+  const reset = h("button", { type: "button", class: "icon reset", title, "aria-label": title }, verbatim("↺"));
+  reset.addEventListener("click", () => {
+    setValue(ctx, path, undefined);
+    input.focus.focus();
+  });
+  const update = () => {
+    input.update();
+    reset.hidden = valueAt(ctx.data(), path) === undefined;
+  };
+  return { ...input, element: h("span", { class: "with-reset" }, input.element, reset), update };
+}
+
 /** What stands in an empty field: its default, else an example. */
 function placeholderOf({ node, default: standard }: Field, data: Table): string {
   const written = defaultText(standard);
@@ -213,11 +231,11 @@ export function inputFor(ctx: FormContext, path: Path, field: Field): Input {
   const { node } = field;
   switch (node.is) {
     case "choice":
-      return choiceInput(ctx, path, node.options, field.default);
+      return withReset(ctx, path, field, choiceInput(ctx, path, node.options, field.default));
     case "boolean":
-      return flagInput(ctx, path, field.default);
+      return withReset(ctx, path, field, flagInput(ctx, path, field.default));
     case "choices":
-      return choicesInput(ctx, path, node.options, field.default);
+      return withReset(ctx, path, field, choicesInput(ctx, path, node.options, field.default));
     case "tuple":
       return tupleInput(ctx, path, node.each, node.length, tupleLabels(field, node), field.default);
     case "values":

@@ -39,7 +39,8 @@ function makeInput(ctx: FormContext, path: Path, field: Field): Input {
 function tieLabel(input: Input, label: HTMLLabelElement): void {
   label.id = newId("label");
   if (input.focus.id === "") input.focus.id = newId("input");
-  if (input.element.matches("input, select, .with-names")) label.htmlFor = input.focus.id;
+  if (input.element.matches("input, select, .with-names, .with-reset:not(:has([role=group]))"))
+    label.htmlFor = input.focus.id;
   else {
     input.element.setAttribute("role", "group");
     input.element.setAttribute("aria-labelledby", label.id);
