@@ -1,6 +1,7 @@
 // The tabs of tables below the picture: which tables each has; a table is asked for when it is first seen.
-import { fillOptions, h } from "../../viewer/shared/dom";
-import type { Api, ResultTable } from "../client/api";
+import { fillOptions, h, setText } from "../../viewer/shared/dom";
+import { translate } from "../../viewer/shared/language";
+import { type Api, Refused, type ResultTable } from "../client/api";
 import type { Tab } from "../controls/tabs";
 import type { Target } from "./table-rows";
 import { TableView } from "./table-view";
@@ -42,6 +43,8 @@ class Group {
   readonly panel = h("div", { class: "lower-panel table-box" });
   readonly choice = h("select", { "aria-label": "Table" });
   readonly view: TableView;
+  /** What is being made, or why it could not be. */
+  private readonly words = h("p", { class: "table-words", role: "status", hidden: true });
   shown = ""; // run, update and name of the table
   chosen = ""; // the table that was asked for
 
@@ -52,7 +55,15 @@ class Group {
     onTarget: (target: Target) => void,
   ) {
     this.view = new TableView(this.choice, onTarget);
-    this.panel.append(this.view.element);
+    this.panel.append(this.words, this.view.element);
+  }
+
+  /** Say something in place of a table; nothing: show the table. */
+  say(text: string, bad = false): void {
+    setText(this.words, text);
+    this.words.hidden = text === "";
+    this.words.classList.toggle("bad", bad);
+    this.view.hideRows(text !== "");
   }
 
   /** Offer those of some tables that belong here; returns whether there are any. */
@@ -63,6 +74,7 @@ class Group {
     this.choice.value = there.find(([name]) => name === this.chosen)?.[0] ?? there[0]?.[0] ?? "";
     this.choice.hidden = there.length < 2;
     this.view.element.hidden = there.length === 0;
+    this.say("");
     return there.length > 0;
   }
 }
@@ -102,7 +114,10 @@ export class ResultTables {
   /** Show no tables until those of newer results are there, which follow; the tabs stay. */
   wait(): void {
     this.run = null;
-    for (const { view } of this.groups) view.element.hidden = true;
+    for (const group of this.groups) {
+      group.view.element.hidden = true;
+      group.say("The tables are being made …");
+    }
   }
 
   /** Take the names of the tables of a run's results; `offer` is called with each tab and whether it has any. */
@@ -126,15 +141,19 @@ export class ResultTables {
     const isCurrent = () => run === this.run && update === this.update;
     if (!group || !name || run === null || group.shown === wanted) return;
     group.panel.setAttribute("aria-busy", "true");
+    if (!this.kept.has(name)) group.say(`The table is being made: ${translate(group.tables[name] ?? name)} …`);
     try {
       const table = this.kept.get(name) ?? (await this.api.table(run, name));
       if (!isCurrent()) return;
       this.kept.set(name, table);
       if (name !== group.choice.value) return;
       group.shown = wanted;
+      group.say("");
       group.view.show(table);
     } catch (error) {
-      if (isCurrent()) this.onError(error);
+      if (!isCurrent()) return;
+      if (error instanceof Refused) group.say(`The table could not be made: ${error.message}`, true);
+      else this.onError(error);
     } finally {
       if (isCurrent()) group.panel.setAttribute("aria-busy", "false");
     }

@@ -70,9 +70,9 @@ export function emptyResult(store: Store, solve: (() => void) | null): { element
   const show = (title: string, text: string, ...more: Child[]) =>
     fill(element, h("h3", {}, title), h("p", {}, text), ...more);
   const update = () => {
-    const { run, doc } = store;
+    const { run, doc, solved } = store;
     const count = doc?.issues.length ?? 0;
-    if (!solve) return show("Loading the results …", "");
+    if (!solve || (solved && run.kind === "idle")) return show("Loading the results …", "");
     if (run.kind === "solving") return show("Solving …", "The result will appear here.");
     if (run.kind === "refused")
       return show("Not solved", run.message, ...run.issues.map((one) => h("p", { class: "quiet" }, issueLine(one))));

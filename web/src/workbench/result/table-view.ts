@@ -20,6 +20,7 @@ export class TableView {
   private readonly grid: HTMLTableElement;
   private readonly scroller: HTMLElement;
   private readonly box: RowBox;
+  private readonly ofRows: readonly HTMLElement[];
   private readonly notes = h("div", { class: "table-notes" });
   private table: ResultTable | null = null;
   private order: number[] = [];
@@ -40,6 +41,7 @@ export class TableView {
     this.grid = h("table", { class: "result-table" }, this.columns, this.head, this.body);
     this.scroller = h("div", { class: "table-scroller", tabindex: 0, role: "group" }, this.grid, this.notes);
     this.box = { scroller: this.scroller, head: this.head, height: ROW_HEIGHT, margin: 12 };
+    this.ofRows = [this.filter, this.count, copy, this.scroller];
     this.element = h(
       "div",
       { class: "table-view" },
@@ -51,6 +53,11 @@ export class TableView {
     this.scroller.addEventListener("keydown", (event) => this.handleKey(event));
     this.body.addEventListener("click", (event) => this.click(event));
     new ResizeObserver(() => this.follow()).observe(this.scroller);
+  }
+
+  /** Hide what belongs to one table, while another one is being made. */
+  hideRows(hidden: boolean): void {
+    for (const part of this.ofRows) part.hidden = hidden;
   }
 
   /** Show a table; of another name it is neither sorted nor filtered at first. */
