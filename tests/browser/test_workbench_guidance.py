@@ -121,6 +121,41 @@ def test_a_new_case_from_an_example(server: Server, bench: Bench) -> None:
     bench.wait_equal(bench.page.locator(".file-title").inner_text, "untitled")
 
 
+def test_a_new_case_is_seen_entirely(server: Server, bench: Bench, case: Path) -> None:
+    """Whatever the zoom of the case before was, in plan and result; what was left is not offered again."""
+    bench.open(server.start(case))
+    bench.wait_solved()
+
+    def start_again() -> str:
+        bench.page.get_by_role("button", name="New", exact=True).click()
+        bench.page.get_by_role("button", name="Empty").click()
+        leave = bench.page.get_by_role("button", name="Don't save")
+        bench.until(lambda: leave.is_visible() or bench.seen(".file-title") == "untitled")
+        if leave.is_visible():
+            leave.click()
+        bench.wait_equal(bench.page.locator(".file-title").inner_text, "untitled")
+        bench.wait_solved()
+        return str(bench.page.locator(".drawing").get_attribute("data-view"))
+
+    whole = start_again()
+    picture = bench.page.locator(".result .stage-place")
+    seen = bench.still(picture)
+    for selector in (".drawing", ".result .stage-place"):
+        box = bench.page.locator(selector).bounding_box()
+        bench.page.mouse.move(box["x"] + box["width"] / 3, box["y"] + box["height"] / 3)
+        bench.page.mouse.wheel(0, -600)
+    bench.until(lambda: bench.page.locator(".drawing").get_attribute("data-view") != whole)
+    bench.tab("Text")
+    bench.page.locator(".code-input").fill(bench.text() + "\n# changed\n")
+    bench.page.wait_for_selector(".unsaved:not(:empty)")
+    bench.tab("Plan")
+    assert bench.still(picture) != seen
+    assert start_again() == whole
+    assert bench.page.get_by_role("dialog").count() == 0
+    bench.page.mouse.move(0, 0)
+    assert bench.still(picture) == seen
+
+
 PLACES = """() => {
   const [spot, box] = ['.tour-spot', '.tour-box'].map((each) => document.querySelector(each).getBoundingClientRect());
   const apart = box.left >= spot.right || box.right <= spot.left || box.top >= spot.bottom || box.bottom <= spot.top;

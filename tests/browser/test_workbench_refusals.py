@@ -38,7 +38,7 @@ def test_a_case_without_a_slab_says_what_comes_first(server: Server, bench: Benc
     assert reasons["undo"] == "Nothing to undo"
     assert reasons["Export …"] == "There is nothing to export: fix the errors first."
     assert "Slab" not in " ".join(reasons)
-    bench.page.locator("svg.drawing").press("c")
+    bench.page.locator(".drawing").press("c")
     bench.wait_seen(".drawing-hint", "Draw the slab first.")
     bench.tab("Load cases")
     assert refused(bench)["+ combination"] == "Add a load case first."
@@ -59,7 +59,7 @@ def test_a_load_on_the_entire_slab_can_be_removed_where_it_is(server: Server, be
     chip.press("Delete")
     bench.wait_equal(chip.count, 0)
     bench.until(lambda: "uniform" not in bench.text(), bench.text)
-    bench.page.locator("svg.drawing").press("n")  # the first item is the slab
+    bench.page.locator(".drawing").press("n")  # the first item is the slab
     bench.until(lambda: "Remove" in refused(bench))
     assert "cannot be removed" in refused(bench)["Remove"]
 

@@ -20,7 +20,7 @@ import { Locator } from "../data/point-location";
 import type { Combination, Point, Scene } from "../data/scene";
 import type { ScaleRange, ShownField } from "../data/shown-field";
 import { PlanView, type Tool } from "../plan/plan-view";
-import { button, fill, h, press, setRead, setText, verbatim } from "../shared/dom";
+import { allow, button, fill, h, press, setRead, setText, verbatim } from "../shared/dom";
 import { keepNames, translate } from "../shared/language";
 import { plainSymbols, symbolText } from "../shared/symbols";
 import { onThemeChange } from "../shared/theme";
@@ -217,7 +217,8 @@ export class ResultView {
   private setMode(mode: Mode): void {
     this.mode = mode;
     press(this.modes, mode);
-    for (const each of [...Object.values(this.tools), this.numbersButton]) each.disabled = mode === "space";
+    const why = mode === "space" ? "Of the plan alone: choose Plan first." : "";
+    for (const each of [...Object.values(this.tools), this.numbersButton]) allow(each, why);
     this.planBox.hidden = mode !== "plan";
     this.spaceBox.hidden = mode !== "space";
     if (mode === "space" && !this.space) {

@@ -104,6 +104,16 @@ export function button(text: Text, title: Text, onclick: () => void, className?:
   return h("button", { type: "button", class: className, title: title || null, onclick }, text);
 }
 
+const usualTitles = new WeakMap<Element, string>();
+
+/** Let a control act, or disable it and say why it cannot in place of its title; `why` is empty where it can. */
+export function allow(control: HTMLButtonElement | HTMLInputElement | HTMLSelectElement, why: Text): void {
+  const usual = usualTitles.get(control) ?? control.title;
+  usualTitles.set(control, usual);
+  control.disabled = why !== "";
+  control.title = why ? shown(why) : usual;
+}
+
 /** Fill a list with options (value, text); the chosen one stays chosen if it is still there. */
 export function fillOptions(select: HTMLSelectElement, options: readonly (readonly [string, Text])[]): void {
   const before = select.value;

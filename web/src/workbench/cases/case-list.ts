@@ -1,9 +1,8 @@
 // The load cases as rows: name, type, group, self-weight, sums, order, and what does not act.
-import { button, fillOptions, h, setRead, setText, verbatim } from "../../viewer/shared/dom";
+import { allow, button, fillOptions, h, setRead, setText, verbatim } from "../../viewer/shared/dom";
 import { translate } from "../../viewer/shared/language";
 import { symbolElement } from "../../viewer/shared/symbols";
 import type { Store } from "../client/store";
-import { allow } from "../controls/allow";
 import { ask } from "../controls/dialogs";
 import { type FormContext, setValue } from "../form/context";
 import { caseColor } from "../model/case-colors";
@@ -188,7 +187,7 @@ export class CaseList {
     const input = this.makeText(["cases", n, "group"], `group of case ${n + 1}`, String(own.group ?? ""));
     input.setAttribute("list", this.names.id);
     const isVariable = (own.action ?? "permanent") === "variable";
-    allow(input, isVariable || own.group ? "" : "Variable cases alone exclude each other", "");
+    allow(input, isVariable || own.group ? "" : "Variable cases alone exclude each other");
     return input;
   }
 
@@ -200,7 +199,7 @@ export class CaseList {
     });
     box.checked = hasSelfWeight(this.store.data, name);
     box.dataset.value = String(box.checked);
-    allow(box, name === "" ? "Give the case a name first." : "", "");
+    allow(box, name === "" ? "Give the case a name first." : "");
     box.addEventListener("change", () => this.ctx.change(setSelfWeight(this.store.data, name, box.checked)));
     return box;
   }

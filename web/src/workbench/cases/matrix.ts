@@ -1,7 +1,6 @@
 // Combinations as a matrix of factors: a row for each, a column for each load case; only the rows in view are in the page.
-import { button, fillOptions, h, setRead, setText, verbatim } from "../../viewer/shared/dom";
+import { allow, button, fillOptions, h, setRead, setText, verbatim } from "../../viewer/shared/dom";
 import type { Store } from "../client/store";
-import { allow } from "../controls/allow";
 import { type RowBox, rowsInView } from "../controls/virtual-rows";
 import { type FormContext, setValue } from "../form/context";
 import { caseColor } from "../model/case-colors";
@@ -35,8 +34,6 @@ const EXPRESSIONS = [
   ["6.10a and 6.10b", "by EN 1990, 6.10a and 6.10b"],
   ["ACI 318", "by ACI 318 and ASCE 7"],
 ] as const;
-
-const ADD = "Add a combination with factors of your own";
 
 /** A combination with its position in the file, null if the program makes it. */
 interface Row extends Combination {
@@ -74,7 +71,8 @@ export class Matrix {
     private readonly ctx: FormContext,
     changed: () => void,
   ) {
-    this.add = button("+ combination", ADD, () => this.addRow(), "small");
+    const title = "Add a combination with factors of your own";
+    this.add = button("+ combination", title, () => this.addRow(), "small");
     fillOptions(this.filter, [["", "all limit states"], ...STATES.map((each) => [each, each] as const)]);
     fillOptions(this.made, EXPRESSIONS);
     this.made.addEventListener("change", () => ctx.change(setExpression(store.data, this.made.value)));
@@ -101,8 +99,7 @@ export class Matrix {
     this.made.value = "combine" in data ? String(expression) : "";
     this.cases = namesIn(listAt(data, ["cases"]));
     const why = this.cases.length === 0 ? "Add a load case first." : "";
-    allow(this.made, why, "");
-    allow(this.add, why, ADD);
+    for (const control of [this.made, this.add]) allow(control, why);
     this.draw();
   }
 

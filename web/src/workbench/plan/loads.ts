@@ -1,8 +1,7 @@
 // Loads beside the drawing: the load case that stands out, and loads without a place in plan.
-import { button, fillOptions, h, setText, type Verbatim, verbatim } from "../../viewer/shared/dom";
+import { allow, button, fillOptions, h, setText, type Verbatim, verbatim } from "../../viewer/shared/dom";
 import { translate } from "../../viewer/shared/language";
 import type { Store } from "../client/store";
-import { allow } from "../controls/allow";
 import { defaultsFor } from "../model/defaults";
 import type { Change } from "../model/edits";
 import { UNPLACED } from "../model/items";
@@ -10,12 +9,6 @@ import { namesIn } from "../model/names";
 import { listAt, type Path, type Table, tableAt } from "../model/paths";
 import { TEXT_FIRST } from "./actions/why-not";
 import { newCase } from "./new-case";
-
-/** The loads on the entire slab that buttons add: the schema's name and ours. */
-const ADDED = [
-  ["UniformLoad", "uniform load"],
-  ["SelfWeight", "self-weight"],
-] as const;
 
 interface Part {
   readonly element: HTMLElement;
@@ -30,8 +23,7 @@ export function caseChoice(store: Store, push: (change: Change) => void, onChoos
     add.hidden = true;
     asked.show(true);
   };
-  const what = "Add a load case for new loads";
-  const add = button("+ case", what, ask, "small");
+  const add = button("+ case", "Add a load case for new loads", ask, "small");
   const asked = newCase(store, push, (name) => {
     add.hidden = false;
     if (name === null) return;
@@ -44,7 +36,7 @@ export function caseChoice(store: Store, push: (change: Change) => void, onChoos
     const before = select.value;
     fillOptions(select, [["", "all load cases"], ...names.map((name) => [name, verbatim(name)] as const)]);
     select.hidden = names.length === 0;
-    allow(add, store.broken ? TEXT_FIRST : "", what);
+    allow(add, store.broken ? TEXT_FIRST : "");
     if (select.value !== before) onChoose(select.value);
   };
   return { element: h("div", { class: "case-choice" }, select, asked.element, add), update };
@@ -69,7 +61,10 @@ export function unplacedLoads(store: Store, push: (change: Change) => void, { lo
     store.select(chip.path);
     remove();
   });
-  const adds = ADDED.map(([definition, text]) =>
+  const adds = [
+    ["UniformLoad", "uniform load"],
+    ["SelfWeight", "self-weight"],
+  ].map(([definition = "", text = ""]) =>
     button(
       verbatim(`+ ${translate(text)}`),
       `Add ${text}`,
@@ -98,7 +93,7 @@ export function unplacedLoads(store: Store, push: (change: Change) => void, { lo
       chip.button.setAttribute("aria-pressed", String(store.isSelected(path)));
     });
     none.hidden = paths.length > 0;
-    for (const [n, add] of adds.entries()) allow(add, store.broken ? TEXT_FIRST : "", `Add ${ADDED[n]![1]}`);
+    for (const add of adds) allow(add, store.broken ? TEXT_FIRST : "");
   };
   const element = h(
     "div",

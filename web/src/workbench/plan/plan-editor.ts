@@ -114,6 +114,7 @@ function drawingBox(store: Store, canvas: Canvas, push: (change: Change) => void
     const { width, height } = box.getBoundingClientRect();
     canvas.resize(width, height);
   }).observe(box);
+  store.on(["opened"], () => canvas.fit());
   store.on(["data"], () => {
     canvas.refresh();
     // what has been removed is no longer selected

@@ -29,6 +29,7 @@ export function propertyPanel(
   const element = h("section", { class: "properties", "aria-label": "properties" }, head, dialog, body);
   let shown: readonly Path[] = [];
   let widget: Widget | null = null;
+  let hasActs = false; // of what is selected; none of the slab that is shown where nothing is
   const toPolygon = button(
     "Convert to polygon",
     "Define the outline by its corners, so that each can be moved",
@@ -45,12 +46,14 @@ export function propertyPanel(
     const isSlab = selected.length < 2 && (!first || (first[0] === "plate" && first.length < 3));
     const paths: readonly Path[] = isSlab ? [["plate"]] : selected;
     const exists = isSlab || paths.every((path) => valueAt(ctx.data(), path) !== undefined);
-    if (exists && paths.map(pathKey).join() === shown.map(pathKey).join()) return update();
+    const isSame = paths.map(pathKey).join() === shown.map(pathKey).join() && hasActs === Boolean(first);
+    if (exists && isSame) return update();
     widget = exists ? makeWidget(paths, isSlab) : null;
     shown = widget ? paths : [];
     fill(title);
     fill(body, widget?.element ?? h("p", { class: "empty" }, "Nothing is selected."));
-    fill(buttons, ...(isSlab ? [toPolygon] : []), ...(first && widget ? acts : []));
+    hasActs = Boolean(first && widget);
+    fill(buttons, ...(isSlab ? [toPolygon] : []), ...(hasActs ? acts : []));
     update();
     element.scrollTop = 0;
   };

@@ -1,7 +1,6 @@
 // The tools beside the drawing, with names and keys.
-import { h, type Verbatim, verbatim } from "../../viewer/shared/dom";
+import { allow, h, type Verbatim, verbatim } from "../../viewer/shared/dom";
 import { translate } from "../../viewer/shared/language";
-import { allow } from "../controls/allow";
 import type { Generator, GeneratorName } from "./generators/generator";
 import { GENERATORS } from "./generators/generators";
 import { toolIcon } from "./tool-icons";
@@ -58,7 +57,7 @@ export function toolBar({ onChange, onGenerate, onRefuse, whyNot }: ToolHooks): 
     const all = [...GROUPS.flat().map(toolOf), ...GENERATORS];
     for (const [n, each] of all.entries()) {
       const why = whyNot(each.name);
-      allow(buttons[n]!, why && titleOf(each, why), titleOf(each, each.hint));
+      allow(buttons[n]!, why && titleOf(each, why));
     }
     if (whyNot(current.name)) choose("select");
   };

@@ -1,8 +1,7 @@
 // The line that tries alternatives to the design, and takes one of them into the case.
-import { button, fillOptions, h } from "../../viewer/shared/dom";
+import { allow, button, fillOptions, h } from "../../viewer/shared/dom";
 import { type Api, Refused } from "../client/api";
 import type { Store } from "../client/store";
-import { allow } from "../controls/allow";
 import type { Change } from "../model/edits";
 import { ALTERNATIVES, comparisonBar } from "./comparison-bar";
 import { freshness } from "./standing";
@@ -64,6 +63,6 @@ export class AlternativesBar {
   private update(): void {
     const none = this.run === null || this.run !== this.store.solved?.run || this.choice.options.length === 0;
     this.choice.hidden = this.take.hidden = none;
-    allow(this.take, this.isFresh() ? "" : STALE, HINT);
+    allow(this.take, this.isFresh() ? "" : STALE);
   }
 }

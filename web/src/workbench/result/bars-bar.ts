@@ -1,8 +1,7 @@
 // The line that has bars proposed for the slab and puts them into the case.
-import { button, h, setRead, setText } from "../../viewer/shared/dom";
+import { allow, button, h, setRead, setText } from "../../viewer/shared/dom";
 import { type Api, Refused } from "../client/api";
 import type { Store } from "../client/store";
-import { allow } from "../controls/allow";
 import type { Change } from "../model/edits";
 import { whyNotMade } from "./standing";
 import "./comparison-bar.css";
@@ -41,7 +40,7 @@ export function barsBar(store: Store, api: Pick<Api, "proposeBars">, push: (chan
   }
 
   function update(): void {
-    allow(start, isBusy ? BUSY : whyNotMade(store), HINT);
+    allow(start, isBusy ? BUSY : whyNotMade(store));
   }
 
   store.on(["solved", "doc", "waiting"], update);

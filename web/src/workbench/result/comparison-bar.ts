@@ -1,8 +1,7 @@
 // The line that starts and cancels a comparison: of ground models, or of alternatives to the design.
-import { button, h, setText } from "../../viewer/shared/dom";
+import { allow, button, h, setText } from "../../viewer/shared/dom";
 import type { Api, ComparisonKind } from "../client/api";
 import type { Store } from "../client/store";
-import { allow } from "../controls/allow";
 import "./comparison-bar.css";
 
 /** What is compared: its name, the words of the button, and what it does. */
@@ -42,7 +41,7 @@ export function comparisonBar(
     const comparison = store.comparison?.kind === kind ? store.comparison : null;
     const running = comparison?.state === "running";
     start.hidden = running;
-    allow(start, store.solved ? "" : "Solve first: there are no results yet.", hint);
+    allow(start, store.solved ? "" : "Solve first: there are no results yet.");
     cancel.hidden = bar.hidden = !running;
     bar.value = comparison?.share ?? 0;
     element.classList.toggle("bad", comparison?.state === "failed" && comparison.text !== "");

@@ -1,9 +1,8 @@
 // The button that has a file made while one works on, says how far a report is, and saves the file.
 
-import { h, setText } from "../../viewer/shared/dom";
+import { allow, h, setText } from "../../viewer/shared/dom";
 import { type Api, type MadeFile, Refused } from "../client/api";
 import type { Store } from "../client/store";
-import { allow } from "../controls/allow";
 import { ask } from "../controls/dialogs";
 import { showNotes } from "../drawing/report";
 import { freshness } from "../result/standing";
@@ -61,7 +60,7 @@ export function exportButton(store: Store, api: ExportApi, solve: () => Promise<
     setText(element, report === null ? "Export …" : share > 0 ? `Export ${share} %` : "Exporting …");
     const made = report?.text ? `The report is being made: ${report.text}` : "The file is being made.";
     const isEmpty = solved === null && (store.doc === null || store.doc.issues.length > 0);
-    allow(element, report !== null ? made : isEmpty ? "There is nothing to export: fix the errors first." : "", title);
+    allow(element, report !== null ? made : isEmpty ? "There is nothing to export: fix the errors first." : "");
     element.setAttribute("aria-busy", String(report !== null));
     if (awaited !== null && run.kind === "idle" && solved && !solved.provisional && !isStale()) {
       const file = awaited;

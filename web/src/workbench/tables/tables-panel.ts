@@ -1,7 +1,6 @@
 // Lists of the model as tables, edited as in a spreadsheet.
-import { button, fill, h, newId, setText, verbatim } from "../../viewer/shared/dom";
+import { allow, button, fill, h, newId, setText } from "../../viewer/shared/dom";
 import type { Store } from "../client/store";
-import { allow } from "../controls/allow";
 import type { FormContext } from "../form/context";
 import { newItem } from "../form/lists/list";
 import { joinEdits } from "../model/changes/batches";
@@ -19,20 +18,17 @@ import { positionsIn, type Sheet, sheetAt, sheetsOf } from "./sheets";
 import { countText, firstIssue, issueText, pasteText } from "./words";
 import "./tables.css";
 
-const ALL_COLUMNS = "Also show columns that no row uses";
-
 export class TablesPanel {
   readonly element: HTMLElement;
   private readonly sheets: readonly Sheet[];
   private readonly choice = h("select", { "aria-label": "table" });
-  private readonly allColumns = button("All columns", ALL_COLUMNS, () => this.toggleColumns());
+  private readonly allColumns = button("All columns", "Also show columns that no row uses", () => this.toggleColumns());
   /** The buttons that need rows. */
   private readonly ofRows = [
     button("Duplicate", "Duplicate the selected rows (Ctrl+D)", () => this.duplicate()),
     button("Remove", "Remove the selected rows (Ctrl and -)", () => this.remove()),
     button("Copy table", "Copy all rows with headers for pasting into a spreadsheet", () => this.copyTable()),
   ];
-  private readonly titles = this.ofRows.map((each) => verbatim(each.title));
   private readonly status = h("p", { class: "sheet-status", role: "status" });
   private readonly grid: Grid;
   private sheet: Sheet;
@@ -80,9 +76,9 @@ export class TablesPanel {
   update(): void {
     if (this.element.closest("[hidden]")) return;
     this.open = new OpenTable(this.ctx, this.sheet, this.showsAll);
-    allow(this.allColumns, this.open.hasHidden ? "" : "All columns are shown.", ALL_COLUMNS);
+    allow(this.allColumns, this.open.hasHidden ? "" : "All columns are shown.");
     const why = this.open.positions.length === 0 ? "The table has no rows." : "";
-    for (const [n, each] of this.ofRows.entries()) allow(each, why, this.titles[n]!);
+    for (const each of this.ofRows) allow(each, why);
     this.fillChoice();
     this.grid.show(this.open);
     this.tell();
