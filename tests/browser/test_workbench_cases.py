@@ -17,7 +17,7 @@ def _cells(bench: Bench, table: str) -> list[list[str]]:
     """Return the words of the rows of a table, of fields their values."""
     read = """rows => rows.map((row) => [...row.cells].map((cell) =>
       cell.querySelector("input[type=text], select")?.value ?? cell.textContent))"""
-    found: list[list[str]] = bench.page.locator(f"{table} tbody tr:not(.space, .case-faults)").evaluate_all(read)
+    found: list[list[str]] = bench.page.locator(f"{table} tbody tr:not(.space, .case-notes)").evaluate_all(read)
     return found
 
 
@@ -38,7 +38,7 @@ def test_cases_of_a_raft_from_none(server: Server, bench: Bench, case: Path) -> 
     _add(bench, "live", "B")
     bench.until(lambda: "live" in bench.text())
     _add(bench, "dead", "permanent")
-    bench.wait_seen(".case-faults", "This case has no loads.")
+    bench.wait_seen(".case-notes:not(.flagged) .invitation", "No loads yet")
     bench.page.get_by_label("self-weight in case 2").check()
     bench.wait_equal(
         lambda: [row[5:9] for row in _cells(bench, ".case-list")],

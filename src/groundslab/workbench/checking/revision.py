@@ -2,16 +2,25 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from groundslab.model.loads.load_cases import PSI
+from groundslab.model.loads.load_cases import PSI, Combine, LoadCase
 from groundslab.workbench.checking.parsing import CheckResult
 from groundslab.workbench.editing.document import Document
 
 if TYPE_CHECKING:
     from groundslab.workbench.events import Event
+
+
+#: Factors of actions where a case gives none: partial ones, and psi by category and of other variable actions.
+FACTORS: Mapping[str, Any] = {
+    "permanent": Combine.model_fields["permanent"].default,
+    "variable": Combine.model_fields["variable"].default,
+    "psi": {**PSI, "variable": [LoadCase.model_fields[f"psi_{n}"].default for n in range(3)]},
+}
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,5 +67,5 @@ class Revision:
             "remarks": [] if self.result is None else self.result.remarks_json,
             "plan": self.plan,
             "cases": None if self.result is None else self.result.cases,
-            "psi": PSI,
+            "factors": FACTORS,
         }

@@ -8,14 +8,14 @@ import { type FormContext, setValue } from "../form/context";
 import { caseColor } from "../model/case-colors";
 import {
   CASE_TYPES,
+  type CaseNote,
   type CaseSums,
   combinationsOfOnly,
-  type Fault,
-  faultsOf,
   hasSelfWeight,
   loadsIn,
   meaningOf,
   moveCase,
+  notesOn,
   removeCase,
   retypeCase,
   setSelfWeight,
@@ -102,10 +102,10 @@ export class CaseList {
     const { store, ctx } = this;
     const own = tableAt(store.data, ["cases", n]);
     const name = String(own.name ?? "");
-    const faults = faultsOf(store.data, n, this.sums, store.doc?.issues ?? [], store.doc?.remarks ?? []);
+    const notes = notesOn(store.data, n, this.sums, store.doc?.issues ?? [], store.doc?.remarks ?? []);
     const row = h(
       "tr",
-      { class: faults.length > 0 ? "flagged" : null, "data-case": n },
+      { class: noteClass(notes), "data-case": n },
       h("td", {}, this.makeHandle(n, name)),
       h("td", {}, this.makeText(["cases", n, "name"], `name of case ${n + 1}`, name)),
       h("td", {}, this.makeType(n, own)),
@@ -122,7 +122,7 @@ export class CaseList {
       const change = this.dragged === null ? null : moveCase(store.data, this.dragged, n);
       if (change) ctx.change(change);
     });
-    return faults.length === 0 ? [row] : [row, faultRow(faults)];
+    return notes.length === 0 ? [row] : [row, noteRow(notes)];
   }
 
   private makeHandle(n: number, name: string): HTMLElement {
@@ -170,7 +170,7 @@ export class CaseList {
 
   private makeType(n: number, own: Table): HTMLSelectElement {
     const type = typeOf(own);
-    const title = verbatim(translate(meaningOf(type, this.store.data, this.store.doc?.psi, own)));
+    const title = verbatim(translate(meaningOf(type, this.store.data, this.store.doc?.factors, own)));
     const select = h("select", { "data-key": `type-${n}`, "aria-label": `type of case ${n + 1}`, title });
     const known = CASE_TYPES.some(({ id }) => id === type);
     fillOptions(select, [
@@ -261,11 +261,21 @@ export class CaseList {
   }
 }
 
-function faultRow(faults: readonly Fault[]): HTMLElement {
-  const words = faults.map(({ words, own }) => {
-    const line = h("p", {});
+/** Return the class of the gravest note, null if there is none but an invitation. */
+function noteClass(notes: readonly CaseNote[]): string | null {
+  const kinds = notes.map(({ kind }) => kind);
+  return kinds.includes("bad") ? "flagged" : kinds.includes("remark") ? "remarked" : null;
+}
+
+function noteRow(notes: readonly CaseNote[]): HTMLElement {
+  const words = notes.map(({ words, own, kind }) => {
+    const line = h("p", { class: kind });
     setText(line, own ? words : verbatim(words));
     return line;
   });
-  return h("tr", { class: "case-faults" }, h("td", { colspan: COLUMNS }, ...words));
+  return h(
+    "tr",
+    { class: ["case-notes", noteClass(notes)].filter(Boolean).join(" ") },
+    h("td", { colspan: COLUMNS }, ...words),
+  );
 }

@@ -68,7 +68,7 @@ function addForm(store: Store, ctx: FormContext) {
   const meaning = h("p", { class: "case-meaning quiet" });
   const update = () => {
     others.hidden = countUncased(store.data) === 0;
-    setText(meaning, meaningOf(type.value, store.data, store.doc?.psi));
+    setText(meaning, meaningOf(type.value, store.data, store.doc?.factors));
   };
   const add = () => {
     const names = namesIn(listAt(store.data, ["cases"]));

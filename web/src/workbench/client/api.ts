@@ -1,7 +1,7 @@
 // The server's HTTP interface.
 
 import type { Messages } from "../../viewer/shared/catalogue";
-import type { CaseSums, Psi } from "../model/changes/load-cases";
+import type { CaseSums, UsualFactors } from "../model/changes/load-cases";
 import type { Change } from "../model/edits";
 import { type Issue, issueLine, type Remark } from "../model/issues";
 import { isTable, type Json, type Table, tableAt } from "../model/paths";
@@ -35,8 +35,8 @@ export interface DocState {
   plan: Table | null;
   /** Sums of load cases and the combinations that are made; null while there are issues or they are not known yet. */
   cases?: CaseSums | null;
-  /** psi_0, psi_1 and psi_2 by category of action. */
-  psi?: Psi;
+  /** The factors of actions where the case gives none. */
+  factors?: UsualFactors;
   file: string | null;
   /** Where results that are only looked at are from; the page then edits and solves nothing. */
   view?: string;

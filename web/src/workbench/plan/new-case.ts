@@ -33,7 +33,7 @@ export function newCase(store: Store, push: (change: Change) => void, done: (nam
     ]);
     others.hidden = count === 0;
     for (const option of action.options)
-      if (option.value) setRead(option, "title", meaningOf(option.value, store.data, store.doc?.psi));
+      if (option.value) setRead(option, "title", meaningOf(option.value, store.data, store.doc?.factors));
     // options that are the same keep what was chosen for the case before
     action.value = "";
     others.value = "";

@@ -59,7 +59,8 @@ test("cases are made of a name and a type, renamed, retyped, and moved by keys",
   change("name of a new case", "S");
   document.querySelector<HTMLButtonElement>(".case-add button")!.click();
   expect(document.querySelector<HTMLElement>(".cases-warning")!.hidden).toBe(true);
-  expect(document.querySelector(".case-faults")!.textContent).toBe("This case has no loads.");
+  expect(document.querySelector(".case-notes")!.textContent).toContain("No loads yet");
+  expect(document.querySelector(".flagged")).toBeNull(); // it has just been made
   change("name of case 1", "G");
   change("type of case 2", "wind");
   await drawn();

@@ -5,11 +5,11 @@ import {
   CASE_TYPES,
   type CaseSums,
   caseOf,
-  faultsOf,
   hasSelfWeight,
   lacksVariable,
   meaningOf,
   moveCase,
+  notesOn,
   removeCase,
   retypeCase,
   setExpression,
@@ -67,8 +67,10 @@ test("another type takes the psi of the type before away", () => {
 });
 
 test("what a type means follows the code of the combinations", () => {
-  const psi = { B: [0.7, 0.5, 0.3] } as const;
-  expect(meaningOf("permanent", {})).toContain("1.35");
+  const psi = { permanent: [1.35, 1], variable: [1.5, 0], psi: { B: [0.7, 0.5, 0.3], variable: [0.6, 0.4, 0.2] } };
+  expect(meaningOf("permanent", {}, psi)).toContain("1.35 where unfavorable, 1 ");
+  expect(meaningOf("variable", {}, psi)).toContain("factor 1.5; ψ0 0.6, ψ1 0.4, ψ2 0.2");
+  expect(meaningOf("permanent", {})).toContain("factor – where"); // before the server has told them
   expect(meaningOf("permanent", { combine: { permanent: [1.2, 0.9] } })).toContain("factor 1.2 where unfavorable, 0.9");
   expect(meaningOf("B", { combine: { variable: [1.6, 0] } }, psi)).toContain("factor 1.6; ψ0 0.7, ψ1 0.5, ψ2 0.3");
   expect(meaningOf("variable", {}, psi, { psi_2: 0.8 })).toContain("ψ2 0.8");
@@ -131,13 +133,32 @@ test("how combinations are made is chosen; keys that ACI 318 has not go", () => 
 test("what acts nowhere is told: cases without loads or combinations, loads with issues or remarks", () => {
   const sums = { cases: [{ name: "Q", F: 1, M_x: 0, M_y: 0, acts: false }] } as unknown as CaseSums;
   const issue = { location: "loads[2].x", path: ["loads", 1, "x"], found: "9 m", expected: "a place", hint: "" };
-  const words = (n: number, issues = [issue]) => faultsOf(DATA, n, sums, issues, []).map((fault) => fault.words);
+  const remark = { location: "loads[2]", path: ["loads", 1], words: "It is off the plate.", doubtful: false };
+  const notes = (n: number) => notesOn(DATA, n, sums, [issue], [remark]);
+  const words = (n: number) => notes(n).map((note) => note.words);
   expect(words(0)).toEqual([]);
-  expect(words(1)).toEqual(["This case acts in no combination.", "loads[2].x: Found 9 m, expected a place."]);
-  expect(words(2)).toEqual(["This case has no loads."]);
+  expect(words(1)).toEqual([
+    "This case acts in no combination.",
+    "loads[2].x: Found 9 m, expected a place.",
+    "It is off the plate.",
+  ]);
+  expect(notes(1).map(({ kind }) => kind)).toEqual(["bad", "bad", "remark"]);
+  expect(notes(2)).toEqual([{ words: expect.stringContaining("No loads yet"), own: true, kind: "invitation" }]);
   expect([lacksVariable(DATA), lacksVariable({ cases: [{ name: "G" }] }), lacksVariable({})]).toEqual([
     false,
     true,
     false,
   ]);
+});
+
+test("the types are the actions and the categories of the schema", () => {
+  const fields = schema.part("LoadCase").fields;
+  const options = (name: string) => {
+    const node = fields.find((field) => field.name === name)?.node;
+    return node?.is === "choice" ? node.options : [];
+  };
+  const all = [...options("action"), ...options("category")];
+  expect(CASE_TYPES.map(({ id }) => id).toSorted()).toEqual(all.toSorted());
+  for (const type of options("action")) expect(caseOf(type)).toEqual({ action: type });
+  for (const type of options("category")) expect(caseOf(type)).toEqual({ action: "variable", category: type });
 });

@@ -6,8 +6,16 @@ import { freeName, namesIn } from "../names";
 import { isTable, type Json, listAt, type Path, startsWith, type Table, tableAt } from "../paths";
 import { joinEdits } from "./batches";
 
-/** psi_0, psi_1 and psi_2 by category, as the server knows them. */
-export type Psi = Readonly<Record<string, readonly [number, number, number]>>;
+/** Factors of actions where a case gives none, as the server knows them. */
+export interface UsualFactors {
+  /** Partial factors, unfavorable and favorable. */
+  permanent: readonly number[];
+  variable: readonly number[];
+  /** psi_0, psi_1 and psi_2 by category, and of other variable actions. */
+  psi: Readonly<Record<string, readonly number[]>>;
+}
+
+const UNKNOWN: UsualFactors = { permanent: [], variable: [], psi: {} };
 
 /** A combination: what factors cases have in it, and by which rule it is made. */
 export interface Combination {
@@ -60,7 +68,7 @@ export function typeOf(loadCase: Table): string {
 }
 
 /** Return what a type means in one line: its factors by the code in [combine], and its psi. */
-export function meaningOf(type: string, data: Table, psi: Psi = {}, own: Table = {}): string {
+export function meaningOf(type: string, data: Table, usual: UsualFactors = UNKNOWN, own: Table = {}): string {
   const combine = tableAt(data, ["combine"]);
   const { action } = caseOf(type);
   if (action === "seismic") return "Acts in seismic combinations alone, in both directions, factors 1 and -1.";
@@ -73,13 +81,18 @@ export function meaningOf(type: string, data: Table, psi: Psi = {}, own: Table =
     return "Live load L by ASCE 7: acts or is absent, with 1.6 or 1.0.";
   }
   if (action === "permanent") {
-    const [most = 1.35, least = 1] = listAt(combine, ["permanent"]);
+    const [most, least] = factorsOf(combine.permanent ?? usual.permanent);
     return `Always acts: factor ${String(most)} where unfavorable, ${String(least)} where favorable.`;
   }
-  const [gamma = 1.5] = listAt(combine, ["variable"]);
-  const usual = psi[type] ?? [0.7, 0.5, 0.3];
-  const [psi0, psi1, psi2] = usual.map((value, n) => String(own[`psi_${n}`] ?? value));
+  const [gamma] = factorsOf(combine.variable ?? usual.variable);
+  const psi = factorsOf(usual.psi[type] ?? usual.psi.variable);
+  const [psi0, psi1, psi2] = psi.map((value, n) => String(own[`psi_${n}`] ?? value));
   return `Acts or is absent: factor ${String(gamma)}; ψ0 ${psi0}, ψ1 ${psi1}, ψ2 ${psi2}.`;
+}
+
+/** Return three factors of a list, those that are not known as a dash. */
+function factorsOf(values: Json | readonly number[] | undefined): string[] {
+  return [0, 1, 2].map((n) => String((Array.isArray(values) ? values[n] : undefined) ?? "–"));
 }
 
 /** Return the change that gives a case another type; psi of its own go, as they are those of the type before. */
@@ -210,36 +223,39 @@ export function setExpression(data: Table, expression: string): Change {
   return { edits: [...edits, { op: "set", path: ["combine", "expression"], value: expression }], text };
 }
 
-/** A fault of a case: in words of the program or, of issues and remarks, of the server. */
-export interface Fault {
+const NO_LOADS = "No loads yet: choose the case in the plan and draw them, or check self-weight here.";
+
+/** What is said of a case: in words of the program or, of issues and remarks, of the server. */
+export interface CaseNote {
   words: string;
   /** Whether the words are a message of the page. */
   own: boolean;
+  /** Bad: what is wrong or acts nowhere; a remark; an invitation to go on with what has just been made. */
+  kind: "bad" | "remark" | "invitation";
 }
 
 /** Return what does not act as it may have been meant: a case without loads or in no combination, loads off the plate. */
-export function faultsOf(
+export function notesOn(
   data: Table,
   n: number,
   sums: CaseSums | null,
   issues: readonly Issue[],
   remarks: readonly Remark[],
-): Fault[] {
+): CaseNote[] {
   const own = tableAt(data, ["cases", n]);
   const name = String(own.name ?? "");
   const loads = loadsIn(data, name);
   const isEmpty = loads.length === 0 && !own.H_x && !own.H_y;
-  const faults: Fault[] = isEmpty ? [{ words: "This case has no loads.", own: true }] : [];
+  const notes: CaseNote[] = isEmpty ? [{ words: NO_LOADS, own: true, kind: "invitation" }] : [];
   const acts = sums?.cases.find((each) => each.name === name)?.acts ?? true;
-  if (!acts && !isEmpty) faults.push({ words: "This case acts in no combination.", own: true });
+  if (!acts && !isEmpty) notes.push({ words: "This case acts in no combination.", own: true, kind: "bad" });
   const places: Path[] = [["cases", n], ...loads];
   const isHere = ({ path }: { path: Path }) => places.some((place) => startsWith(path, place));
-  faults.push(
-    ...issues.filter(isHere).map((issue) => ({ words: `${issue.location}: ${issueSentence(issue)}`, own: false })),
-  );
-  const ofLoads = remarks.filter((remark) => remark.path[0] !== "cases" && isHere(remark));
-  faults.push(...ofLoads.map(({ words }) => ({ words, own: false })));
-  return faults;
+  for (const issue of issues.filter(isHere))
+    notes.push({ words: `${issue.location}: ${issueSentence(issue)}`, own: false, kind: "bad" });
+  for (const { words } of remarks.filter((remark) => remark.path[0] !== "cases" && isHere(remark)))
+    notes.push({ words, own: false, kind: "remark" });
+  return notes;
 }
 
 /** Whether there are cases of which none is variable. */
