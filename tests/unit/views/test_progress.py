@@ -72,7 +72,9 @@ def test_engineers_read_what_is_solved_and_whether_the_slab_lifts_off() -> None:
     lifted = replace(step, iteration=2, changed=11)
     assert count.describe(lifted) == f"{place}, where the slab lifts off (step 2), {left}"
     assert CombinationCount(1).describe(step) == ""
-    assert CombinationCount(1).describe(replace(lifted, increment=3)) == "load step 3, where the slab lifts off (step 2)"
+    assert (
+        CombinationCount(1).describe(replace(lifted, increment=3)) == "load step 3, where the slab lifts off (step 2)"
+    )
 
 
 def test_a_file_gets_a_line_every_ten_seconds() -> None:

@@ -70,7 +70,6 @@ class CombinationCount:
         about = "" if left is None or left < 1.0 else f", about {left:.0f} s left on this mesh"
         return f"{mesh}{', ' if mesh else ''}{len(self._names)} of {self._count}, {self._name}{about}: "
 
-
     def describe(self, step: Step | None = None) -> str:
         """Return how the analysis goes on in words for engineers, empty where there is nothing to tell them yet.
 

@@ -50,9 +50,9 @@ OUTDATED = "outdated report"
 class Progress:
     """Tells how a run goes on, and shows what there is before its end.
 
-    `tell` is called with a text, the share of combinations that are done, and details of the iteration, `show` with words about a preview, its
-    figures and its packed scene, `keep` with provisional results as a task returns its own. `shown` is the combination
-    that is looked at, None where no preview of it is wanted. `before` is how long the run before took to its first
+    `tell` is called with a text, the share of combinations that are done, and details of the iteration, `show` with
+    words about a preview, its figures and its packed scene, `keep` with provisional results as a task returns its own.
+    `shown` is the combination that is looked at, None where no preview of it is wanted. `before` is how long the run before took to its first
     results, if known [s]; `accuracy` is asked for in place of that of the case, "" for that.
     """
 

@@ -263,6 +263,8 @@ def test_the_state_says_all(bench: Bench, case: Path) -> None:
     assert (state["file"], state["autosolve"]) == (str(case), True)
     assert (state["can_undo"], state["can_redo"]) == (False, False)
     assert state["plan"]["bounds"] == [-3, -2, 3, 2]
+    assert state["factors"]["permanent"] == [1.35, 1.0]  # EN 1990 Table A1.2(B)
+    assert state["factors"]["psi"]["wind"] == [0.6, 0.2, 0.0]  # Table A1.1
     assert "plate" in bench.get("/api/schema")["properties"]
 
 

@@ -139,7 +139,8 @@ function modelPanel(store: Store, schema: Schema, push: (change: Change) => void
     if (views.current() === "cases") cases.update();
     broken.hidden = !store.broken;
     if (store.broken) setText(broken, brokenText(store.doc?.issues[0]?.line, Object.keys(store.data).length === 0));
-    for (const tab of [formTab, tablesTab, casesTab]) tab.toggleAttribute("inert", store.broken);
+    for (const part of [formTab, tablesTab, casesTab, planTab.querySelector(".property-body")])
+      part?.toggleAttribute("inert", store.broken);
   });
   const title = h("h2", { class: "unseen" }, "Model");
   const children = [title, views.bar, broken, planTab, formTab, tablesTab, casesTab, textTab, issues.element];

@@ -139,7 +139,7 @@ export class Grid {
       isActive ? "active" : "",
       issues.length > 0 ? "faulty" : "",
       isNumber ? "number" : "",
-      isEditable(column) && !idle ? "" : "fixed",
+      idle ? "idle" : isEditable(column) ? "" : "fixed",
     ];
     return h(
       "td",
