@@ -99,9 +99,12 @@ class TomlEditor:
             return self._change_table(path, old, new)
         if toml_writer.is_list_of_tables(old) and toml_writer.is_list_of_tables(new):
             return self._change_list_of_tables(path, old, new)
-        step = path[-1]
-        assert isinstance(step, str)
-        return self._remove_statements(path) + self._add_keys(path[:-1], {step: new})
+        above, step = path[:-1], path[-1]
+        if isinstance(step, str):
+            return self._remove_statements(path) + self._add_keys(above, {step: new})
+        # a table of a list with headers becomes something else, for which there are none
+        items = get_value(self.data, above)
+        return self._change(above, items, [*items[:step], new, *items[step + 1 :]])
 
     def _change_table(self, path: Path, old: Mapping[str, Any], new: Mapping[str, Any]) -> list[Replacement]:
         """Change a table with headers or dotted keys."""

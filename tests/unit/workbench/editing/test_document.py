@@ -133,6 +133,13 @@ def test_tables_are_added_where_they_belong() -> None:
     )
 
 
+def test_a_table_of_a_list_becomes_no_table() -> None:
+    """A list with headers is one within brackets then; it is for the model to say what is wrong with that."""
+    text = '[[loads]]\nkind = "uniform"\n\n[[loads]]\nkind = "point"\n\n[ground]\nk = 1\n'
+    after = edited(text, "set", ["loads", 1], ["a", 2])
+    assert tomllib.loads(after) == {"loads": [{"kind": "uniform"}, ["a", 2]], "ground": {"k": 1}}
+
+
 def test_tables_on_the_way_are_made() -> None:
     """Setting a key of a section that is not there makes the section; a short table in a table stands on one line."""
     text = edited(casefile.starter(), "set", ["mesh", "size"], "0.2 m")
