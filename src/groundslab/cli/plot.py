@@ -7,12 +7,9 @@ from typing import TYPE_CHECKING
 
 from groundslab.cli.console import EXIT_OK, print_stderr
 from groundslab.errors import InputError, Issue
-from groundslab.schema.wording import one_of, quote
 
 if TYPE_CHECKING:
     import argparse
-
-    from groundslab.results.results import CombinationResult, Results
 
 
 def describe(plot: argparse.ArgumentParser) -> None:
@@ -82,6 +79,7 @@ def run(options: argparse.Namespace) -> int:
     from pathlib import Path
 
     from groundslab.views import plots
+    from groundslab.views.difference import choose_subtracted
     from groundslab.views.files import results_folder
     from groundslab.views.plots.export import check
     from groundslab.views.plots.panels import subtract
@@ -97,7 +95,7 @@ def run(options: argparse.Namespace) -> int:
     )
     if options.minus is not None or options.minus_combination is not None:
         other = combined if options.minus is None else results_folder.load_results(options.minus)
-        request = subtract(request, _chosen(other, options.minus_combination))
+        request = subtract(request, choose_subtracted(other, options.minus_combination, "--minus-combination"))
     names = [quantity.name for quantity in request.quantities]
     what = "-".join(names) if options.fields and request.kind == "plan" else request.kind
     file = folder.with_name(f"{folder.name}-{what}.pdf") if options.out is None else Path(options.out)
@@ -108,15 +106,6 @@ def run(options: argparse.Namespace) -> int:
     pages = len(plots.write(request, file))
     print_stderr(f"wrote {file}" + (f", {pages} pages" if pages > 1 else ""))
     return EXIT_OK
-
-
-def _chosen(combined: Results, name: str | None) -> Results | CombinationResult:
-    """Return the results of a combination, all if none is named."""
-    if name is None:
-        return combined
-    if name not in combined.results:
-        raise InputError([Issue("--minus-combination", quote(name), one_of(list(combined.results)))])
-    return combined[name]
 
 
 def describe_bars(bars: argparse.ArgumentParser) -> None:

@@ -14,20 +14,20 @@ from groundslab.design.envelope import envelope
 from groundslab.design.required_bars import bar_fields
 from groundslab.design.tables.quantities import nodal_values
 from groundslab.errors import InputError, Issue
-from groundslab.fem.mesh import Mesh, interpolate, locate_within
 from groundslab.results.contact_zone import contact_function, has_line_force, require_finite
 from groundslab.results.fields import BAR_FIELDS, LINE_FORCE, PLATE_FIELDS, extreme, extreme_node, place_of
-from groundslab.results.results import CombinationResult, Results, results_of
+from groundslab.results.results import CombinationResult, Results
 from groundslab.schema.wording import one_of, quote
+from groundslab.views.difference import find_subtracted, transfer
 from groundslab.views.plots.contours import ColorScale, make_scale
 from groundslab.views.plots.request import PlotQuantity, PlottedCombination, require_element_fields
 from groundslab.views.plots.symbols import load_filter
-from groundslab.views.summary.combinations import entries
 
 if TYPE_CHECKING:
     from groundslab.arrays import Array, Integers
     from groundslab.model.loads.load_types import AnyLoad
     from groundslab.views.plots.request import PlotRequest
+    from groundslab.views.summary.combinations import Entry
 
 NOT_CERTIFIED = "NOT CERTIFIED: the certificate does not hold; the result must not be used"
 
@@ -68,25 +68,25 @@ def subtract(request: PlotRequest, minus: CombinationResult | Results) -> PlotRe
     ]
     if issues:
         raise InputError(issues)
-    others = {
-        entry.combination.name: PlottedCombination(
-            entry.combination.name, entry.combination.limit_state, entry.results, entry.refused is None
-        )
-        for entry in entries(results_of(minus) if isinstance(minus, CombinationResult) else minus)
-        if entry.results is not None
-    }
-    only = next(iter(others.values())) if len(others) == 1 else None
-    found = {combination.name: others.get(combination.name, only) for combination in request.combinations}
-    subtracted = tuple(other for other in found.values() if other is not None)
+    names = [combination.name for combination in request.combinations]
+    found, others = find_subtracted(names, minus)
+    subtracted = tuple(_plotted(found[name]) for name in names if name in found)
     hint = "name one combination of the other results, or one that both have"
-    missing = [name for name, other in found.items() if other is None]
-    issues = [Issue("minus", f"no results of {quote(name)}", one_of(list(others)), hint) for name in missing]
+    missing = [name for name in names if name not in found]
+    issues = [Issue("minus", f"no results of {quote(name)}", one_of(others), hint) for name in missing]
     if issues:
         raise InputError(issues)
     for other in subtracted:
         require_finite(other.results)
     require_element_fields(request.quantities, subtracted)
     return replace(request, minus=subtracted)
+
+
+def _plotted(entry: Entry) -> PlottedCombination:
+    """Return a combination that has results, as it is drawn."""
+    combination = entry.combination
+    assert entry.results is not None
+    return PlottedCombination(combination.name, combination.limit_state, entry.results, entry.refused is None)
 
 
 def build_panels(request: PlotRequest) -> list[Panel]:
@@ -124,11 +124,8 @@ def _difference_panel(
     Raises InputError if nodes lie beyond the plate of the other results.
     """
     panel = build_panel(quantity, combination, True, mesh)
-    other = minus.results.plate
-    values = nodal_values(minus.results, quantity.name) * quantity.factor
-    if not (np.array_equal(other.nodes, panel.nodes) and np.array_equal(other.elements, panel.elements)):
-        other_mesh = Mesh(other.nodes, other.elements)
-        values = interpolate(other_mesh, values, locate_within(other_mesh, panel.nodes, "the plate to be subtracted"))
+    move = transfer(minus.results.plate, combination.results.plate)
+    values = move(nodal_values(minus.results, quantity.name) * quantity.factor)
     names = [
         f"{plotted.results.model.title} {plotted.name}".strip() if combination.name == minus.name else plotted.name
         for plotted in (combination, minus)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -13,7 +13,7 @@ from groundslab.design.tables.quantities import nodal_values
 from groundslab.errors import GroundslabError
 from groundslab.model.plan_origin import plan_origin
 from groundslab.results.contact_zone import contact_function, goes_below_zero, has_line_force
-from groundslab.results.fields import BAR_FIELDS, LINE_FORCE, PLATE_FIELDS, SHOWN_ELEMENT_FIELDS, extreme
+from groundslab.results.fields import BAR_FIELDS, LINE_FORCE, RANGED_FIELDS, SHOWN_ELEMENT_FIELDS, extreme
 from groundslab.results.results import refusal_words
 from groundslab.unit_systems import in_system, unit_in
 from groundslab.views.scene.binary import Blocks, Scene
@@ -22,13 +22,14 @@ from groundslab.views.summary import combinations
 
 if TYPE_CHECKING:
     from groundslab.arrays import Array
+    from groundslab.model.model import Model
     from groundslab.results.mesh_results import PlateResult
     from groundslab.results.results import CombinationResult, Results
     from groundslab.unit_systems import System
     from groundslab.views.summary.combinations import Entry
 
 FORMAT = 2
-_ABOUT = PLATE_FIELDS | SHOWN_ELEMENT_FIELDS | BAR_FIELDS
+ABOUT = RANGED_FIELDS | SHOWN_ELEMENT_FIELDS | BAR_FIELDS
 #: The nodal fields that a scene has, if need be; all others can be made of them.
 SHOWN = (
     "settlement", "rotation_x", "rotation_y", "pressure", LINE_FORCE, "gap", "penetration", "moment_x", "moment_y",
@@ -48,21 +49,11 @@ def scene_of(combined: Results, most: int | None = None) -> Scene:
     entries = combinations.entries(combined)
     there = [entry.results for entry in entries if entry.results is not None]
     plates = [results.plate for results in there]
-    _require_one_mesh(plates)
-    names = _fields_of(there)
+    require_one_mesh(plates)
+    names = fields_of(there)
     blocks, units = Blocks(), combined.model.units
     of_bars = _fields_of_bars(combined)
-    nodes, elements, section = np.zeros((0, 2)), np.zeros((0, 9), dtype=np.int64), np.zeros(0, dtype=np.int64)
-    if there:
-        nodes, elements, section = plates[0].nodes, plates[0].elements, there[0].elements.section
-    # single precision is too coarse for coordinates of national grids
-    origin = plan_origin(combined.model)
-    mesh: dict[str, Any] = {
-        "origin": [*origin],
-        "nodes": blocks.put(nodes - origin, "f32"),
-        "elements": blocks.put(elements, "u32"),
-    }
-    mesh["section"] = blocks.put(section, "u16")
+    mesh = mesh_of(combined.model, there, blocks)
     kept = _kept(entries, names, len(entries) if most is None else most)
     shared = {name: blocks.put_range(values) for name, values in of_bars.items()}
     head = {
@@ -72,7 +63,7 @@ def scene_of(combined: Results, most: int | None = None) -> Scene:
         "plan": plan_of(combined.solved_model),
         "mesh": mesh,
         "fields": [_about(name, there, units) for name in names]
-        + [_words(name, False, units) for name in of_bars]
+        + [describe_field(name, False, units) for name in of_bars]
         + [_CONTACT],
         "combinations": [_combination(entry, names, blocks, entry.number in kept, shared, units) for entry in entries],
         "left_out": [
@@ -80,6 +71,21 @@ def scene_of(combined: Results, most: int | None = None) -> Scene:
         ],
     }
     return Scene(head, blocks.data)
+
+
+def mesh_of(model: Model, there: Sequence[CombinationResult], blocks: Blocks) -> dict[str, Any]:
+    """Return the mesh that combinations share, empty where there are none."""
+    nodes, elements, section = np.zeros((0, 2)), np.zeros((0, 9), dtype=np.int64), np.zeros(0, dtype=np.int64)
+    if there:
+        nodes, elements, section = there[0].plate.nodes, there[0].plate.elements, there[0].elements.section
+    # single precision is too coarse for coordinates of national grids
+    origin = plan_origin(model)
+    return {
+        "origin": [*origin],
+        "nodes": blocks.put(nodes - origin, "f32"),
+        "elements": blocks.put(elements, "u32"),
+        "section": blocks.put(section, "u16"),
+    }
 
 
 _CONTACT = {
@@ -92,7 +98,7 @@ _CONTACT = {
 }
 
 
-def _fields_of(there: list[CombinationResult]) -> list[str]:
+def fields_of(there: list[CombinationResult]) -> list[str]:
     """Return the names of the fields that are shown; a penetration and forces along edges only where there are any.
 
     Those of elements only if all combinations have them.
@@ -109,21 +115,21 @@ def _fields_of(there: list[CombinationResult]) -> list[str]:
 
 def _about(name: str, there: list[CombinationResult], units: System) -> dict[str, Any]:
     """Return how a field is called and shown; it is signed if its sign matters."""
-    sign = _ABOUT[name].sign
+    sign = ABOUT[name].sign
     signed = sign == "any" or any(goes_below_zero(nodal_values(results, name)) for results in there)
-    return _words(name, signed, units)
+    return describe_field(name, signed, units)
 
 
-def _words(name: str, signed: bool, units: System) -> dict[str, Any]:
+def describe_field(name: str, signed: bool, units: System) -> dict[str, Any]:
     """Return how a field is called and shown, signed or not."""
-    about = _ABOUT[name]
+    about = ABOUT[name]
     words = {key: getattr(about, key) for key in ("symbol", "meaning", "averaged")}
     return {"name": name, "unit": unit_in(about.unit, units)[0], **words, "signed": signed}
 
 
-def _shown_values(results: CombinationResult, name: str) -> Array:
+def shown_values(results: CombinationResult, name: str) -> Array:
     """Return a field at the nodes (n,) in the unit that it is shown in."""
-    return nodal_values(results, name) * unit_in(_ABOUT[name].unit, results.model.units)[1]
+    return nodal_values(results, name) * unit_in(ABOUT[name].unit, results.model.units)[1]
 
 
 def _fields_of_bars(combined: Results) -> dict[str, Array]:
@@ -154,7 +160,7 @@ def _combination(
     results = entry.results
     values = None
     if results is not None and kept:
-        values = {name: blocks.put_range(_shown_values(results, name)) for name in names}
+        values = {name: blocks.put_range(shown_values(results, name)) for name in names}
         values |= {**shared, "contact": blocks.put_signed(contact_function(results))}
     return {
         "name": entry.combination.name,
@@ -172,13 +178,13 @@ def _extremes(results: CombinationResult, names: list[str]) -> Iterator[tuple[st
     """Yield the extremes of each field with their places: [value, x, y]; of the line force those along the edge."""
     plate = results.plate
     for name in names:
-        yield name, _range(plate.nodes, _shown_values(results, name))
+        yield name, range_of(plate.nodes, shown_values(results, name))
     if has_line_force(results):
         on_edge = plate.edge_length > 0
-        yield LINE_FORCE, _range(plate.nodes[on_edge], _shown_values(results, LINE_FORCE)[on_edge])
+        yield LINE_FORCE, range_of(plate.nodes[on_edge], shown_values(results, LINE_FORCE)[on_edge])
 
 
-def _range(nodes: Array, values: Array) -> dict[str, list[float]]:
+def range_of(nodes: Array, values: Array) -> dict[str, list[float]]:
     """Return the least and the greatest value with their places [m]."""
     (low, at_low), (high, at_high) = (extreme(nodes, values, sign) for sign in (-1, 1))
     return {"min": [low + 0.0, *at_low], "max": [high + 0.0, *at_high]}
@@ -197,7 +203,7 @@ def _kept(entries: list[Entry], names: list[str], count: int) -> set[int]:
     return set([*order, *(number for number in others if number not in order)][:count])
 
 
-def _require_one_mesh(plates: list[PlateResult]) -> None:
+def require_one_mesh(plates: list[PlateResult]) -> None:
     """Raise GroundslabError if the combinations' results stand on different meshes."""
     for plate in plates[1:]:
         if not (np.array_equal(plate.nodes, plates[0].nodes) and np.array_equal(plate.elements, plates[0].elements)):

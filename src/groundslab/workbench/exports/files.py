@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import pickle
 import tempfile
 import zipfile
 from collections.abc import Callable, Sequence
@@ -16,6 +17,7 @@ from groundslab.schema.wording import describe
 if TYPE_CHECKING:
     from groundslab.analysis.ground_comparison.comparison import GroundComparison
     from groundslab.results.results import Results
+    from groundslab.views.difference import Subtracted
 
 #: What a file is of, and its kind.
 ExportName = Literal[
@@ -31,7 +33,8 @@ LISTED, LONGEST = 200, 300
 class Wanted:
     """A file that is wanted: its name, that of the case, and the field and the combination or envelope that it is of.
 
-    The envelope is a limit state. A report has the remark.
+    The envelope is a limit state. A report has the remark. A plan is of the difference to a combination of the same
+    results, or of those in the file of a reference.
     """
 
     file: ExportName
@@ -40,11 +43,14 @@ class Wanted:
     combination: str = ""
     envelope: str = ""
     remark: str = ""
+    minus: str = ""
+    reference: str = ""
 
     @property
     def name(self) -> str:
         """The name under which the file is saved; that of a plan has the field."""
-        what = self.file.replace("plan", self.field or "plan")
+        difference = "-difference" if self.minus or self.reference else ""
+        what = self.file.replace("plan", f"{self.field or 'plan'}{difference}")
         return f"{Path(self.case).stem}-{what}"
 
     def to_text(self) -> str:
@@ -122,14 +128,48 @@ def _write_plan(results: Results, wanted: Wanted, path: Path) -> Sequence[str]:
     """Draw a field in plan; fields of bars are over all combinations."""
     from groundslab.results.fields import BAR_FIELDS
     from groundslab.views import plots
+    from groundslab.views.plots.panels import subtract
     from groundslab.views.plots.request import parse_request
 
     chosen = wanted.field not in BAR_FIELDS
     combination = wanted.combination if chosen and wanted.combination else None
     envelope = wanted.envelope if chosen and wanted.envelope else None
     fields = [wanted.field] if wanted.field else []
-    plots.write(parse_request(results, fields, "plan", combination, envelope, None), path)
+    request = parse_request(results, fields, "plan", combination, envelope, None)
+    if wanted.minus or wanted.reference:
+        request = subtract(request, _find_minus(results, wanted))
+    plots.write(request, path)
     return ()
+
+
+def write_difference(results: Results, wanted: Wanted) -> bytes:
+    """Return the packed scene of the difference of results to those that are subtracted; raises InputError."""
+    from groundslab.views.scene.binary import pack
+    from groundslab.views.scene.difference import difference_of
+
+    return pack(difference_of(results, _find_minus(results, wanted)))
+
+
+def write_reference(results: Results, path: Path) -> bytes:
+    """Write results into a file of this process and its successors, which takes a fraction of writing a folder."""
+    with path.open("wb") as file:
+        pickle.dump(results, file)
+    return b""
+
+
+def read_reference(path: Path) -> Results:
+    """Return the results in a file that ``write_reference`` has written."""
+    with path.open("rb") as file:
+        results: Results = pickle.load(file)
+    return results
+
+
+def _find_minus(results: Results, wanted: Wanted) -> Subtracted:
+    """Return what is subtracted from results."""
+    from groundslab.views.difference import choose_subtracted
+
+    other = read_reference(Path(wanted.reference)) if wanted.reference else results
+    return choose_subtracted(other, wanted.minus or None)
 
 
 def _write_bars(results: Results, _: Wanted, path: Path) -> Sequence[str]:

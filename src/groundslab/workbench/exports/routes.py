@@ -17,15 +17,29 @@ NOTES = "X-Groundslab-Notes"
 Name = Annotated[str, Query(max_length=1000)]
 
 
-def add_export_route(app: FastAPI, export: Callable[[int, Wanted], tuple[str, Exported]]) -> None:
-    """Add the route of the files made of the results of a run; ``export`` returns a name for one, and the file."""
+#: Returns a name for a file made of the results of a run, and the file; of a difference to a kept run, if one is given.
+Export = Callable[[int, Wanted, int | None], tuple[str, Exported]]
+
+
+def add_export_route(app: FastAPI, export: Export) -> None:
+    """Add the route of the files made of the results of a run."""
 
     @app.get("/api/results/{run}/exports/{file}")
     def get_export(
-        run: int, file: ExportName, field: Name = "", combination: Name = "", envelope: Name = ""
-    ) -> Response:
-        wanted = Wanted(file, field=field, combination=combination, envelope=envelope)
-        return respond_export(*export(run, wanted))
+        run: int, file: ExportName, field: Name = "", combination: Name = "", envelope: Name = "", minus: Name = "",
+        reference: int | None = None,
+    ) -> Response:  # fmt: skip
+        wanted = Wanted(file, field=field, combination=combination, envelope=envelope, minus=minus)
+        return respond_export(*export(run, wanted, reference))
+
+
+def add_difference_route(app: FastAPI, write: Callable[[int, Wanted, int | None], bytes]) -> None:
+    """Add the route of the scene of the results of a run minus a combination of them, or minus a reference."""
+
+    @app.get("/api/results/{run}/difference")
+    def get_difference(run: int, minus: Name = "", reference: int | None = None) -> Response:
+        wanted = Wanted("plan.pdf", minus=minus)
+        return Response(write(run, wanted, reference), media_type="application/octet-stream")
 
 
 def respond_export(name: str, made: Exported) -> Response:

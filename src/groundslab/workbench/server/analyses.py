@@ -16,6 +16,7 @@ from groundslab.workbench.checking.work import WorkCounter
 from groundslab.workbench.events import Hub
 from groundslab.workbench.exports.case_writer import CaseWriter
 from groundslab.workbench.exports.files import SAF, Exported, Wanted
+from groundslab.workbench.exports.reference import KeptReferences
 from groundslab.workbench.solver.comparer import Comparer
 from groundslab.workbench.solver.cost import find_work, list_costs
 from groundslab.workbench.solver.process import OUTDATED
@@ -34,6 +35,7 @@ class Analyses:
         self._lock, self._hub = lock, hub
         self._autosolve = True
         self._case_writer = CaseWriter()
+        self._references = KeptReferences()
 
     def to_json(self) -> dict[str, Any]:
         """Return the run in progress as data for the page."""
@@ -83,9 +85,10 @@ class Analyses:
             return self._submit(self._require_checked(), 0.0, force=True)
 
     def reset(self) -> None:
-        """Stop, and drop all results and the accuracy asked for, which belong to another document."""
+        """Stop, and drop all results, references and the accuracy asked for, which belong to another document."""
         self.comparer.cancel()
         self.solver.accuracy = ""
+        self._references.clear()
         self.solver.reset()
 
     def close(self) -> None:
@@ -93,6 +96,7 @@ class Analyses:
         self.comparer.cancel()
         self._counter.close()
         self.solver.close()
+        self._references.clear()
 
     def write_report(self, run: int, case: Path) -> tuple[str, bytes]:
         """Return a name for the report on a run of a case, and its content."""
@@ -103,8 +107,21 @@ class Analyses:
         """Return a name for the archive of case, results and report of a run, and its content."""
         return f"{case.stem}-results.zip", self.solver.make_view(("archive", run, case.name))
 
-    def export(self, run: int, wanted: Wanted) -> tuple[str, Exported]:
-        """Return a name for a file that is made of the results of a run, and the file; raises InputError."""
+    def keep_reference(self, run: int) -> None:
+        """Keep the results of a run, from which later ones may be subtracted; raises InputError."""
+        self._references.keep(run, lambda file: self.solver.make_view(("reference", run, file)))
+
+    def write_difference(self, run: int, wanted: Wanted, reference: int | None) -> bytes:
+        """Return the packed scene of the results of a run minus what is wanted; raises InputError."""
+        wanted = replace(wanted, reference=self._references.find(reference))
+        return self.solver.make_view(("difference", run, wanted.to_text()))
+
+    def export(self, run: int, wanted: Wanted, reference: int | None = None) -> tuple[str, Exported]:
+        """Return a name for a file that is made of the results of a run, and the file; raises InputError.
+
+        A plan is of the difference to the reference of a run, if there is one.
+        """
+        wanted = replace(wanted, reference=self._references.find(reference))
         if wanted.file == "report.pdf" and self._is_outdated(run):
             wanted = replace(wanted, remark=CHANGED.format(file=wanted.case))
         return wanted.name, Exported.from_bytes(self.solver.make_view(("export", run, wanted.to_text())))

@@ -1,4 +1,4 @@
-"""The routes of a file that another program has changed, and of the accuracy that runs ask for."""
+"""The routes of a file that another program has changed, of the accuracy of runs, and of differences of results."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from typing import Annotated, Any, Literal
 from fastapi import FastAPI
 from pydantic import BaseModel, ConfigDict, Field
 
+from groundslab.workbench.exports.routes import add_difference_route
 from groundslab.workbench.server.analyses import Analyses
 from groundslab.workbench.server.session import Session, State
 
@@ -40,6 +41,16 @@ def add_accuracy_routes(app: FastAPI, analyses: Analyses) -> None:
     @app.get("/api/cost")
     def get_cost() -> dict[str, Any]:
         return analyses.list_costs()
+
+
+def add_difference_routes(app: FastAPI, analyses: Analyses) -> None:
+    """Add the routes that keep results as a reference, and subtract it, or a combination, from those of a run."""
+    add_difference_route(app, analyses.write_difference)
+
+    @app.post("/api/results/{run}/reference")
+    def keep_reference(run: int) -> dict[str, Any]:
+        analyses.keep_reference(run)
+        return {}
 
 
 def add_changed_file_routes(app: FastAPI, session: Session) -> None:

@@ -24,7 +24,7 @@ from groundslab.workbench.exports.files import Exported, Wanted
 from groundslab.workbench.exports.routes import add_export_route, respond_download, respond_export
 from groundslab.workbench.persistence import files
 from groundslab.workbench.server.case_file import Conflict, OpenElsewhere
-from groundslab.workbench.server.file_routes import add_accuracy_routes, add_changed_file_routes
+from groundslab.workbench.server.file_routes import add_accuracy_routes, add_changed_file_routes, add_difference_routes
 from groundslab.workbench.server.help_routes import add_documentation_routes, add_example_routes
 from groundslab.workbench.server.public import Run, add_document_route, describe
 from groundslab.workbench.server.security import Guard, Tickets
@@ -119,6 +119,7 @@ def create_app(session: Session, tickets: Tickets, port: int, token: str, static
     _add_conflict_handler(app, session)
     _add_document_routes(app, session)
     _add_import_routes(app, session)
+    add_difference_routes(app, session.analyses)
     _add_solver_routes(app, session)
     _add_file_routes(app, session)
     _add_table_routes(app, session)
@@ -344,8 +345,8 @@ def _add_file_routes(app: FastAPI, session: Session) -> None:
         name, content = analyses.write_archive(run, session.file.path or UNTITLED)
         return respond_download(name, content, "application/zip")
 
-    def export(run: int, wanted: Wanted) -> tuple[str, Exported]:
-        return analyses.export(run, replace(wanted, case=(session.file.path or UNTITLED).name))
+    def export(run: int, wanted: Wanted, reference: int | None) -> tuple[str, Exported]:
+        return analyses.export(run, replace(wanted, case=(session.file.path or UNTITLED).name), reference)
 
     add_export_route(app, export)
 

@@ -16,8 +16,8 @@ from groundslab.errors import InputError, Issue
 from groundslab.results.results import refusal_words
 from groundslab.views.files import archive, results_folder
 from groundslab.workbench.events import Event, Hub
-from groundslab.workbench.exports.files import Exported, Wanted, export
-from groundslab.workbench.exports.routes import add_export_route, respond_download
+from groundslab.workbench.exports.files import Exported, Wanted, export, write_difference
+from groundslab.workbench.exports.routes import add_difference_route, add_export_route, respond_download
 from groundslab.workbench.server.public import add_document_route
 from groundslab.workbench.server.routes import (
     STATIC,
@@ -130,13 +130,26 @@ class ResultsView:
                 self._report = page.encode()
             return f"{Path(self._name).stem}-report.html", self._report
 
-    def export(self, run: int, wanted: Wanted) -> tuple[str, Exported]:
+    def export(self, run: int, wanted: Wanted, reference: int | None = None) -> tuple[str, Exported]:
         """Return a name for a file that is made of the results, and the file; raises InputError."""
-        if run != ONLY:
-            raise InputError([Issue("the export", f"run {run}", f"run {ONLY}")])
+        self._require_only(run, reference)
         wanted = replace(wanted, case=f"{Path(self._name).stem}.toml", remark=self._remark)
         with self._lock:
             return wanted.name, export(self._results, wanted, self._text, self._comparison)
+
+    def write_difference(self, run: int, wanted: Wanted, reference: int | None) -> bytes:
+        """Return the packed scene of the results minus one of their combinations; raises InputError."""
+        self._require_only(run, reference)
+        with self._lock:
+            return write_difference(self._results, wanted)
+
+    @staticmethod
+    def _require_only(run: int, reference: int | None) -> None:
+        """Raise InputError of another run, and of a reference, which is never kept here."""
+        if run != ONLY:
+            raise InputError([Issue("the export", f"run {run}", f"run {ONLY}")])
+        if reference is not None:
+            raise InputError([Issue("the reference", f"run {reference}", "none, as one set of results is shown")])
 
 
 def create_view_app(view: ResultsView, tickets: Tickets, port: int, token: str, static: Path = STATIC) -> Guard:
@@ -180,5 +193,6 @@ def create_view_app(view: ResultsView, tickets: Tickets, port: int, token: str, 
     def get_report(run: int) -> Response:
         return respond_download(*view.write_report(), "text/html; charset=utf-8") if run == ONLY else respond_not_kept()
 
-    add_export_route(app, lambda run, wanted: view.export(run, wanted))
+    add_export_route(app, view.export)
+    add_difference_route(app, view.write_difference)
     return guard_app(app, tickets, port, token, static)

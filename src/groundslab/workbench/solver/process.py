@@ -1,12 +1,13 @@
 """The process that solves: it is kept warm, and stops a run between two steps of the analysis.
 
 It receives ("solve", run, text, shown, before, accuracy), ("report", run, file), ("archive", run, file), ("table", run,
-name), ("document", run, name), ("export", run, wanted) and ("bars", run, folder) from ``Worker`` through a pipe. It
-sends ("ready",) when it can receive, ("warm",) when it has warmed up, ("progress", run, text, share, details),
-("preview", run, words, figures) followed by the bytes of a scene, ("provisional", run, answer) and ("solved", run, answer) followed by
-the bytes of the scene, ("refused", run, message, issues), ("stopped", run), ("making", run, title, share) while a
-report is made, and ("view", message, error or issues) in answer to all but the first, followed by the bytes that were
-asked for if there is no error. These are answered between two steps of a run, too.
+name), ("document", run, name), ("export", run, wanted), ("difference", run, wanted), ("reference", run, file) and
+("bars", run, folder) from ``Worker`` through a pipe. It sends ("ready",) when it can receive, ("warm",) when it has
+warmed up, ("progress", run, text, share, details), ("preview", run, words, figures) followed by the bytes of a scene,
+("provisional", run, answer) and ("solved", run, answer) followed by the bytes of the scene, ("refused", run, message,
+issues), ("stopped", run), ("making", run, title, share) while a report is made, and ("view", message, error or issues)
+in answer to all but the first, followed by the bytes that were asked for if there is no error. These are answered
+between two steps of a run, too.
 """
 
 from __future__ import annotations
@@ -23,6 +24,7 @@ from typing import TYPE_CHECKING, Any
 
 from groundslab.errors import GroundslabError, InputError
 from groundslab.workbench.child_process import set_up_child
+from groundslab.workbench.exports.files import Wanted, export, write_difference, write_reference
 from groundslab.workbench.solver.answer import Answer
 
 if TYPE_CHECKING:
@@ -52,8 +54,8 @@ class Progress:
 
     `tell` is called with a text, the share of combinations that are done, and details of the iteration, `show` with
     words about a preview, its figures and its packed scene, `keep` with provisional results as a task returns its own.
-    `shown` is the combination that is looked at, None where no preview of it is wanted. `before` is how long the run before took to its first
-    results, if known [s]; `accuracy` is asked for in place of that of the case, "" for that.
+    `shown` is the combination that is looked at, None where no preview of it is wanted. `before` is how long the run
+    before took to its first results, if known [s]; `accuracy` is asked for in place of that of the case, "" for that.
     """
 
     tell: Callable[[str, float | None, str], None]
@@ -353,8 +355,6 @@ def _write_archive(solved: Solved, file: str, told: Told) -> bytes:
 
 def _write_export(solved: Solved, wanted: str, _: Told) -> bytes:
     """Return a file for other programs, packed with what is said of it."""
-    from groundslab.workbench.exports.files import Wanted, export
-
     about, results = Wanted.from_text(wanted), solved.results
     comparison = _compare(results.model) if about.file == "report.pdf" else None
     return export(results, about, solved.text, comparison).to_bytes()
@@ -386,4 +386,6 @@ def _write_document(solved: Solved, name: str, _: Told) -> bytes:
 WRITERS: dict[str, Callable[[Solved, str, Told], bytes]] = {
     "report": _write_report, OUTDATED: _write_outdated_report, "archive": _write_archive, "table": _write_table,
     "bars": _write_bars, "document": _write_document, "export": _write_export,
+    "difference": lambda solved, wanted, _: write_difference(solved.results, Wanted.from_text(wanted)),
+    "reference": lambda solved, file, _: write_reference(solved.results, Path(file)),
 }  # fmt: skip

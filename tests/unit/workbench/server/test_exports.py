@@ -7,6 +7,7 @@ import json
 import threading
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 from urllib.parse import unquote, urlencode
 
 import pytest
@@ -19,6 +20,7 @@ from helpers.small_case import TEXT
 pytest.importorskip("fastapi")
 pytest.importorskip("openpyxl")
 from groundslab.workbench.exports.case_writer import NO_RESULTS
+from groundslab.workbench.exports.files import Wanted
 from groundslab.workbench.server.routes import create_app
 from groundslab.workbench.server.security import Tickets
 from groundslab.workbench.server.session import Session
@@ -78,6 +80,12 @@ def notes_of(answer: asgi.Answer) -> list[str]:
     notes = json.loads(unquote(answer.headers["x-groundslab-notes"]))
     assert isinstance(notes, list)
     return notes
+
+
+def head_of(answer: asgi.Answer) -> Any:
+    """Return the head of a packed scene."""
+    content = answer.content
+    return json.loads(content[4 : 4 + int.from_bytes(content[:4], "little")])
 
 
 def test_saf_has_the_results_of_the_case_as_it_stands(bench: Bench, tmp_path: Path) -> None:
@@ -181,3 +189,39 @@ def test_the_report_as_pdf(bench: Bench) -> None:
     answer = bench.get(f"results/{bench.wait()}/exports/report.pdf")
     assert answer.headers["content-disposition"].endswith("slab-report.pdf")
     assert answer.content.startswith(b"%PDF-")
+
+
+def test_a_difference_to_a_combination_and_to_a_reference(bench: Bench) -> None:
+    """The same run minus itself is zero everywhere; it is drawn as a plan; what is not kept cannot be subtracted."""
+    run = bench.wait()
+    assert bench.get(f"results/{run}/difference", 422, reference=str(run)).text.find("not kept any more") > 0
+    headers = [*GOOD, ("content-type", "application/json"), ("content-length", "2")]
+    assert asgi.ask(bench.app, "POST", f"/api/results/{run}/reference", headers, b"{}").status == 200
+    head = head_of(bench.get(f"results/{run}/difference", reference=str(run)))
+    (one,) = head["combinations"]
+    assert head["difference"] == "reference"
+    assert one["minus"] == one["name"]
+    assert all(ends["max"][0] == ends["min"][0] == 0 for ends in one["extremes"].values())
+    answer = bench.get(f"results/{run}/exports/plan.svg", field="settlement", reference=str(run))
+    assert answer.headers["content-disposition"].endswith("slab-settlement-difference.svg")
+    assert bench.get(f"results/{run}/difference", 422, minus="wind").text.find("wind") > 0
+    bench.session.new()
+    with pytest.raises(gs.InputError, match="not kept any more"):
+        bench.session.analyses.write_difference(run, Wanted("plan.pdf"), run)
+
+
+def test_results_that_are_looked_at_have_differences_of_combinations_alone(bench: Bench, tmp_path: Path) -> None:
+    """The scene is that of the workbench; another run and a reference are refused."""
+    bench.wait()
+    folder = gs.save_results(gs.solve(gs.load(tmp_path / "slab.toml")), tmp_path / "results")
+    view = create_view_app(ResultsView.read(folder), Tickets(), PORT, TOKEN, tmp_path)
+    (name,) = gs.load_results(folder).results
+
+    def ask(path: str, **query: str) -> asgi.Answer:
+        return asgi.ask(view, "GET", f"/api/results/{path}?{urlencode(query)}", GOOD)
+
+    packed = ask("1/difference", minus=name)
+    assert packed.status == 200
+    assert head_of(packed)["difference"] == "combination"
+    assert ask("2/difference", minus=name).status == 422
+    assert ask("1/difference", reference="1").status == 422

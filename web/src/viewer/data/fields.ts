@@ -1,7 +1,7 @@
 // Fields of a scene: basic ones as they were packed, derived ones, and envelopes over combinations.
 import { ALL_LOADS, translate } from "../shared/language";
 import type { LocalPoint, Locator } from "./point-location";
-import { type Extreme, type Field, readBlock, type Scene } from "./scene";
+import { type Combination, type Extreme, type Field, readBlock, type Scene } from "./scene";
 
 /** A combination by its index in the head, or an envelope over all certified combinations (of one limit state). */
 export type Choice = number | Envelope;
@@ -39,11 +39,17 @@ const DERIVED: readonly DerivedField[] = [
   designField("top", "y", (mx, my, mxy) => 0 - designMoments(-mx, -my, mxy)[1]),
 ];
 
+/** Whether a scene is the difference of two results, all of whose fields are given. */
+export function isDifference(scene: Scene): boolean {
+  return scene.head.difference !== undefined;
+}
+
 /** Return the fields that can be shown: those of the scene, then what is derived of the moments. */
 export function fieldsOf(scene: Scene): FieldInfo[] {
   const basic = scene.head.fields
     .filter((field) => field.name !== CONTACT)
     .map((field) => ({ ...field, derived: false }));
+  if (isDifference(scene)) return basic;
   const moment = basic.find((field) => field.name === MOMENTS[0]);
   if (!moment || !MOMENTS.every((name) => basic.some((field) => field.name === name))) return basic;
   const averaged = "derived from m_x, m_y and m_xy at the nodes";
@@ -145,6 +151,7 @@ export function combinationsOf(scene: Scene, choice: Choice): number[] {
 
 /** Return the envelopes that a scene offers: none of one combination, one pair for each limit state that has several. */
 export function envelopesOf(scene: Scene): Envelope[] {
+  if (isDifference(scene)) return [];
   const all = combinationsOf(scene, "largest").map((i) => scene.head.combinations[i]!.limit_state);
   if (all.length < 2) return [];
   const states = [...new Set(all)];
@@ -162,8 +169,19 @@ export function choiceName(scene: Scene, choice: Choice): string {
   }
   const one = combinations[choice];
   if (!one) return "";
-  if (combinations.length > 1) return `${one.number} ${one.name}`;
-  return one.name === ALL_LOADS ? translate(one.name) : one.name;
+  const name = combinationName(scene, one);
+  if (!one.minus) return name;
+  const other = combinations.find((each) => each.name === one.minus);
+  if (scene.head.difference === "combination") return translate(`${name} minus ${combinationName(scene, other!)}`);
+  return one.minus === one.name
+    ? translate(`${name} minus the reference`)
+    : translate(`${name} minus ${one.minus} of the reference`);
+}
+
+/** Return what a combination is called, with its number if there are several. */
+export function combinationName({ head: { combinations } }: Scene, { number, name }: Combination): string {
+  if (combinations.length > 1) return `${number} ${name}`;
+  return name === ALL_LOADS ? translate(name) : name;
 }
 
 /** Return a choice from its text, as a select element keeps it. */
@@ -247,12 +265,12 @@ function limitStateOf(choice: Envelope): string | null {
   return at < 0 ? null : choice.slice(at + 1);
 }
 
-function isDerived(name: string): boolean {
-  return DERIVED.some((each) => each.name === name);
+function isDerived(scene: Scene, name: string): boolean {
+  return !isDifference(scene) && DERIVED.some((each) => each.name === name);
 }
 
 function combinationValues(scene: Scene, index: number, name: string): Float32Array {
-  if (isDerived(name)) {
+  if (isDerived(scene, name)) {
     const [mx, my, mxy] = MOMENTS.map((moment) => nodalValues(scene, index, moment));
     const { of } = DERIVED.find((each) => each.name === name)!;
     return mx!.map((value, i) => of(value, my![i]!, mxy![i]!));
@@ -277,7 +295,7 @@ function envelopeValues(scene: Scene, choice: Envelope, name: string): Float32Ar
 }
 
 function interpolateField(scene: Scene, locator: Locator, index: number, name: string, spot: LocalPoint): number {
-  if (!isDerived(name)) return locator.interpolate(nodalValues(scene, index, name), spot);
+  if (!isDerived(scene, name)) return locator.interpolate(nodalValues(scene, index, name), spot);
   const moments = MOMENTS.map((moment) => locator.interpolate(nodalValues(scene, index, moment), spot));
   return deriveMoment(name, ...(moments as Moments));
 }

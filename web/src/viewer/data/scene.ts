@@ -143,6 +143,7 @@ export interface Combination {
   certified: boolean;
   values: Record<string, Block> | null;
   extremes: Record<string, Range>; // of "line_force" along the plate's edges, where the ground has one
+  minus?: string | null; // in a difference the combination that is subtracted, null where there is none
 }
 
 export interface Head {
@@ -154,6 +155,7 @@ export interface Head {
   fields: Field[];
   combinations: Combination[];
   left_out: string[];
+  difference?: "reference" | "combination"; // what is subtracted in a difference of results
 }
 
 /** Nine-node quadrilaterals: four corners, four midsides, center, counter-clockwise. */

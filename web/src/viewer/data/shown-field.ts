@@ -1,6 +1,6 @@
 // What a view shows: a field of a combination or an envelope, and its color scale.
 import { type ColorScale, makeScale } from "./color-scale";
-import { type Choice, combinationsOf, extremesOf, type FieldInfo } from "./fields";
+import { type Choice, combinationsOf, extremesOf, type FieldInfo, isDifference } from "./fields";
 import type { Scene } from "./scene";
 
 export interface ShownField {
@@ -22,6 +22,11 @@ export function scaleFor(scene: Scene, choice: Choice, field: FieldInfo, range: 
   if (range === "common" && combinationsOf(scene, "largest").length > 1) {
     high = extremesOf(scene, "largest", field.name).max[0];
     low = extremesOf(scene, "smallest", field.name).min[0];
+  }
+  if (isDifference(scene)) {
+    // zero is in the middle
+    high = Math.max(Math.abs(low), Math.abs(high));
+    low = -high;
   }
   if (!field.signed) low = Math.min(low, 0);
   return { ...makeScale(low, high, field.signed), min, max };

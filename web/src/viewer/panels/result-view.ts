@@ -3,6 +3,7 @@
 import {
   type Choice,
   choiceName,
+  combinationName,
   type Envelope,
   envelopesOf,
   type FieldInfo,
@@ -298,7 +299,7 @@ function fillCombinations(select: HTMLSelectElement, scene: Scene, offerRefused:
   const options = combinations.map((each, i) => {
     const empty = each.values === null;
     const attributes = { value: i, disabled: empty && !offerRefused, "data-empty": empty, title: each.refused ?? "" };
-    return h("option", attributes, verbatim(choiceName(scene, i) + translate(remarkOn(each, leftOut))));
+    return h("option", attributes, verbatim(combinationName(scene, each) + translate(remarkOn(each, leftOut))));
   });
   if (!envelopes.length) return fill(select, ...options);
   fill(

@@ -5,6 +5,7 @@ import {
   choiceName,
   fieldsOf,
   fieldValueAt,
+  isDifference,
   isEnvelope,
   isInContact,
   principalDirection,
@@ -47,7 +48,7 @@ export class ValuePanel {
       this.listenOn(row, info.name);
       return row;
     });
-    if (!isEnvelope(choice) && fieldsOf(scene).some((each) => each.name === "m_1")) {
+    if (!isEnvelope(choice) && !isDifference(scene) && fieldsOf(scene).some((each) => each.name === "m_1")) {
       const [mx, my, mxy] = ["moment_x", "moment_y", "moment_xy"].map(
         (name) => fieldValueAt(scene, locator, choice, name, spot).value,
       ) as [number, number, number];

@@ -123,6 +123,13 @@ export interface OfResult {
   field: string;
   combination: string;
   envelope: string;
+  subtracted?: Subtracted | null;
+}
+
+/** What is subtracted: a combination by its name, "" for that of the same name, of the results or of the run kept. */
+export interface Subtracted {
+  minus: string;
+  reference: number | null;
 }
 
 /** A file that the server has made; what it does not hold, or in another way than the case. */
@@ -286,6 +293,13 @@ export class HttpApi {
   alternatives = (run: number) => this.json<Record<string, string>>(`results/${run}/alternatives`);
   cancelComparison = async () => void (await this.json("comparison/cancel", {}));
   scene = async (run: number) => (await this.request(`results/${run}/scene`, undefined, 120_000)).arrayBuffer();
+  /** The scene of the results of a run minus others. */
+  difference = async (run: number, subtracted: Subtracted) => {
+    const query = new URLSearchParams(queryOf(subtracted));
+    return (await this.request(`results/${run}/difference?${query}`, undefined, 120_000)).arrayBuffer();
+  };
+  /** Have the results of a run kept, so that they can be subtracted from others. */
+  keepReference = async (run: number) => void (await this.json(`results/${run}/reference`, {}, 120_000));
   preview = async (run: number) => (await this.request(`results/${run}/preview`, undefined, 120_000)).arrayBuffer();
   setShown = async (combination: string | null) => void (await this.json("shown", { combination }));
   /** The text of the case with bars that its results ask for. */
@@ -294,8 +308,9 @@ export class HttpApi {
   archive = (run: number) => this.file(`results/${run}/archive`);
   /** A file made of the results of a run, of what is shown of them. */
   exported = (run: number, file: string, shown: OfResult | null) => {
-    const { field = "", combination = "", envelope = "" } = shown ?? {};
-    return this.file(`results/${run}/exports/${file}?${new URLSearchParams({ field, combination, envelope })}`);
+    const { field = "", combination = "", envelope = "", subtracted = null } = shown ?? {};
+    const query = new URLSearchParams({ field, combination, envelope, ...queryOf(subtracted) });
+    return this.file(`results/${run}/exports/${file}?${query}`);
   };
   /** The case as it is now as a SAF file. */
   saf = () => this.file("saf");
@@ -329,6 +344,12 @@ export class HttpApi {
 
 /** What the page asks of the server. */
 export type Api = Omit<HttpApi, "setToken">;
+
+function queryOf(subtracted: Subtracted | null): Record<string, string> {
+  if (!subtracted) return {};
+  const { minus, reference } = subtracted;
+  return reference === null ? { minus } : { minus, reference: String(reference) };
+}
 
 /** Return the error of an answer. */
 async function refusal(response: Response): Promise<Error> {

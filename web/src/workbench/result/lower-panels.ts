@@ -24,11 +24,12 @@ export class LowerPanels {
   private readonly certificateBox = h("div", { class: "lower-panel" });
   private readonly values = new ValuePanel(this.valueBox);
 
-  /** `keep`: what adds a section to the case, if there is one; `onError` is called if a table cannot be read. */
+  /** `keep`: what adds a section to the case, if there is one; `onKeep`: a reference has been kept; `onError` is called if a table cannot be read. */
   constructor(
     private readonly picture: Picture,
     api: Pick<Api, "table">,
     keep: ReturnType<typeof keepSection> | null,
+    private readonly onKeep: () => void,
     onError: (error: unknown) => void,
   ) {
     const { view } = picture;
@@ -86,6 +87,7 @@ export class LowerPanels {
   private offerReference(): Scene | null {
     this.tabs.offer("reference", true);
     this.tabs.show("reference");
+    this.onKeep();
     return this.picture.result;
   }
 }

@@ -1,11 +1,12 @@
 // The picture of the result, in its place that of a preview or of a reference; items of the model are selected in it.
-import { choiceName, combinationsOf, fieldOf, fieldsOf, isEnvelope } from "../../viewer/data/fields";
+import { choiceName, combinationsOf, fieldOf, fieldsOf, isDifference, isEnvelope } from "../../viewer/data/fields";
 import type { Point, Scene } from "../../viewer/data/scene";
 import { ResultView, type ResultViewHooks } from "../../viewer/panels/result-view";
 import { fill, h } from "../../viewer/shared/dom";
 import type { Api, CombinationSummary } from "../client/api";
 import type { ShownResult, Store } from "../client/store";
 import { formatPath, parsePath } from "../model/paths";
+import { type DifferenceApi, Minus } from "./minus";
 import { itemAt, itemOf, itemsIn, middleOf } from "./plan-items";
 import { Preview, type PreviewHooks } from "./preview";
 import type { Target } from "./table-rows";
@@ -16,34 +17,45 @@ const REACH = 8;
 export class Picture {
   readonly view: ResultView;
   readonly preview: Preview;
+  readonly minus: Minus;
   readonly element: HTMLElement;
   /** The place whose values are wanted. */
   pick: Point | null = null;
   result: Scene | null = null;
+  private run = 0; // that the result is of
+  private turn = 0; // counts what is to be shown
   private readonly referenceLabel = h("p", { class: "preview-over", hidden: true }, "Reference");
   private readonly refused = h("div", { class: "refused-over", role: "alert", hidden: true });
 
   constructor(
     private readonly store: Store,
-    api: Pick<Api, "preview">,
+    api: Pick<Api, "preview"> & DifferenceApi,
     hooks: ResultViewHooks,
     previews: PreviewHooks,
+    private readonly onError: (error: unknown) => void,
   ) {
     const onPick = (at: Point) => {
       this.choose(at);
       hooks.onPick(at);
     };
-    this.view = new ResultView({ ...hooks, onPick }, true);
+    const onShow = () => {
+      const { scene, choice } = this.view;
+      this.minus.tell(scene, scene ? choiceName(scene, choice) : "");
+      hooks.onShow();
+    };
+    this.minus = new Minus(api, () => this.showResult());
+    this.view = new ResultView({ ...hooks, onPick, onShow }, true);
     this.preview = new Preview(store, api, this.view, {
       ...previews,
       onShow: () => {
+        this.turn += 1; // a difference that is on its way comes too late
         this.referenceLabel.hidden = true;
         previews.onShow();
       },
     });
     const { view, preview, referenceLabel, refused } = this;
     const outdated = h("p", { class: "outdated-over" }, "Result of an earlier model");
-    const over = [preview.label, referenceLabel, refused, outdated];
+    const over = [preview.label, referenceLabel, this.minus.label, refused, outdated];
     this.element = h("div", { class: "stage-place" }, view.element, view.scaleBox, ...over);
     store.on(["selection"], () => this.markSelected());
   }
@@ -52,7 +64,18 @@ export class Picture {
   makeToolbar(): HTMLElement {
     const { combinations, fields, toolGroup, modeGroup, fitButton, meshButton, numbersButton } = this.view;
     const about = { class: "stage-bar", role: "toolbar", "aria-label": "result" };
-    return h("div", about, combinations, fields, toolGroup, modeGroup, fitButton, meshButton, numbersButton);
+    return h(
+      "div",
+      about,
+      combinations,
+      this.minus.select,
+      fields,
+      toolGroup,
+      modeGroup,
+      fitButton,
+      meshButton,
+      numbersButton,
+    );
   }
 
   /** What is shown, as files of it are asked for; null: nothing. */
@@ -68,26 +91,47 @@ export class Picture {
       combination: isEnvelope(choice) ? "" : (shown[0]?.name ?? ""),
       envelope: isEnvelope(choice) && states.size === 1 ? (shown[0]?.limit_state ?? "") : "",
       isDrawable: !isEnvelope(choice) || states.size === 1,
+      subtracted: isDifference(scene) ? this.minus.subtracted : null,
     };
   }
 
-  /** Show a result; null: none. */
-  setResult(result: Scene | null): void {
+  /** Show the result of a run, or its difference to what is subtracted; null: none. */
+  setResult(result: Scene | null, run = 0): void {
     this.result = result;
-    if (result) {
-      this.view.setScene(result);
-      this.markSelected();
-    } else {
-      this.pick = null;
-      this.view.clear();
-    }
+    this.run = run;
+    this.minus.offer(result);
+    if (result) return this.showResult();
+    this.turn += 1;
+    this.pick = null;
+    this.minus.forget();
+    this.view.clear();
+  }
+
+  /** Show the result, and in its place the difference to what is subtracted as soon as that is there. */
+  private showResult(): void {
+    const { result } = this;
+    if (!result) return;
+    this.turn += 1;
+    const { turn } = this;
+    this.referenceLabel.hidden = true;
+    this.view.setScene(result);
+    this.markSelected();
+    const show = (difference: Scene | null) => {
+      if (difference && turn === this.turn) this.view.setScene(difference, true);
+    };
+    this.minus.fetch(this.run).then(show, (error: unknown) => {
+      if (turn !== this.turn) return;
+      this.minus.reset();
+      this.onError(error);
+    });
   }
 
   /** Show the picture of a reference, null: that of the result again. */
   showReference(scene: Scene | null): void {
-    this.referenceLabel.hidden = !scene;
-    const shown = scene ?? this.result;
-    if (shown) this.view.setScene(shown, scene !== null);
+    if (!scene) return this.showResult();
+    this.turn += 1;
+    this.referenceLabel.hidden = false;
+    this.view.setScene(scene, true);
   }
 
   /** Say over the picture why the combination shown has none. */

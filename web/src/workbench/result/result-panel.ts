@@ -50,6 +50,8 @@ export class ResultPanel {
       | "tables"
       | "table"
       | "preview"
+      | "difference"
+      | "keepReference"
       | "setShown"
       | "compare"
       | "alternatives"
@@ -86,22 +88,32 @@ export class ResultPanel {
       onSection: (start: Point, end: Point) => this.lower.section.cut({ start, end, name: "" }),
       onShow: () => this.update(),
     };
-    return new Picture(this.store, this.api, hooks, {
-      onShow: () => {
-        this.fetching += 1; // the last result, if it is on its way, comes too late
-        this.shownRun = null;
-        this.lower.reference.pictureButton.setAttribute("aria-pressed", "false");
-        this.showFull(true);
+    return new Picture(
+      this.store,
+      this.api,
+      hooks,
+      {
+        onShow: () => {
+          this.fetching += 1; // the last result, if it is on its way, comes too late
+          this.shownRun = null;
+          this.lower.reference.pictureButton.setAttribute("aria-pressed", "false");
+          this.showFull(true);
+        },
+        onEnd: () => void this.fetch(),
+        onLost: this.onLost,
       },
-      onEnd: () => void this.fetch(),
-      onLost: this.onLost,
-    });
+      (error) => this.handleError(error),
+    );
   }
 
   private makeLower(model: ModelActions | null): LowerPanels {
     const { store, api } = this;
     const keep = model && keepSection(store, model.push);
-    const lower = new LowerPanels(this.picture, api, keep, (error) => {
+    const onKeep = () => {
+      if (model && this.shownRun !== null)
+        this.picture.minus.keep(this.shownRun).catch((error: unknown) => this.handleError(error));
+    };
+    const lower = new LowerPanels(this.picture, api, keep, onKeep, (error) => {
       // a newer result is on its way, whose tables follow it
       if (error instanceof Lost || store.solved?.run === this.shownRun) this.handleError(error);
     });
@@ -142,7 +154,7 @@ export class ResultPanel {
       this.picture.preview.end(solved.provisional);
       this.lower.reference.setPicture(false);
       this.store.set("drawn", { run, isPreview: false });
-      this.picture.setResult(decodeScene(buffer));
+      this.picture.setResult(decodeScene(buffer), run);
       [this.shownRun, this.shownUpdate] = [run, update];
       if (!summary.design) return this.lower.tables.wait();
       this.offerTables(run, names);

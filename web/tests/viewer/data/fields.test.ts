@@ -16,7 +16,8 @@ import {
   principalMoments,
 } from "../../../src/viewer/data/fields";
 import { Locator } from "../../../src/viewer/data/point-location";
-import { grid, nodal, randoms, sceneOf } from "../synthetic";
+import { scaleFor } from "../../../src/viewer/data/shown-field";
+import { FIELDS, grid, nodal, randoms, sceneOf } from "../synthetic";
 
 describe("principal moments", () => {
   it("are those of Mohr's circle", () => {
@@ -190,5 +191,48 @@ describe("fields of a scene", () => {
     expect(choiceName(scene, "smallest:ultimate")).toBe("min of all ultimate combinations");
     expect([parseChoice("3"), parseChoice("largest:ultimate")]).toEqual([3, "largest:ultimate"]);
     expect(() => nodalValues(scene, 4, "settlement")).toThrow(RangeError);
+  });
+});
+
+describe("a difference of results", () => {
+  const given = [
+    { name: "dead", fields: { settlement: (x: number) => 3 * x } },
+    { name: "all", fields: {} },
+    { name: "wind" },
+  ];
+  const fields = [...FIELDS.filter(({ name }) => name !== "contact"), { ...FIELDS[0]!, name: "m_1" }];
+  const difference = (of: "combination" | "reference", minus: (string | null)[]) => {
+    const scene = sceneOf(grid(2, 2), given, { fields, difference: of });
+    scene.head.combinations.forEach((each, i) => {
+      each.minus = minus[i] ?? null;
+      if (each.values) each.values.m_1 = each.values.settlement!;
+    });
+    return scene;
+  };
+
+  it("has the fields that it is given, none derived of other differences, and no envelopes", () => {
+    const scene = difference("combination", ["all", "all"]);
+    expect(fieldsOf(scene).map(({ name }) => name)).toEqual(fields.map(({ name }) => name));
+    expect(nodalValues(scene, 0, "m_1")).toEqual(nodalValues(scene, 0, "settlement"));
+    expect(envelopesOf(scene)).toEqual([]);
+  });
+
+  it("says what minus what it is", () => {
+    expect(choiceName(difference("combination", ["all"]), 0)).toBe("1 dead minus 2 all");
+    const scene = difference("reference", ["dead", "other"]);
+    expect([0, 1, 2].map((choice) => choiceName(scene, choice))).toEqual([
+      "1 dead minus the reference",
+      "2 all minus other of the reference",
+      "3 wind",
+    ]);
+  });
+
+  it("has zero in the middle of its scale", () => {
+    const scene = difference("combination", ["all"]);
+    const { levels, colors, diverging } = scaleFor(scene, 0, fieldsOf(scene)[0]!, "auto");
+    expect(levels).toEqual(levels.map((level) => 0 - level).reverse());
+    expect([levels[0], levels.at(-1)]).toEqual([-3, 3]);
+    expect(diverging).toBe(true);
+    expect(colors.length).toBe(levels.length - 1);
   });
 });
