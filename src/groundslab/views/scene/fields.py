@@ -16,6 +16,7 @@ from groundslab.results.contact_zone import contact_function, goes_below_zero, h
 from groundslab.results.fields import BAR_FIELDS, LINE_FORCE, RANGED_FIELDS, SHOWN_ELEMENT_FIELDS, extreme
 from groundslab.results.results import refusal_words
 from groundslab.unit_systems import in_system, unit_in
+from groundslab.views.scene.annotations import bars_of, reactions_of
 from groundslab.views.scene.binary import Blocks, Scene
 from groundslab.views.scene.plan import plan_of
 from groundslab.views.summary import combinations
@@ -66,6 +67,7 @@ def scene_of(combined: Results, most: int | None = None) -> Scene:
         + [describe_field(name, False, units) for name in of_bars]
         + [_CONTACT],
         "combinations": [_combination(entry, names, blocks, entry.number in kept, shared, units) for entry in entries],
+        "bars": bars_of(combined.solved_model),
         "left_out": [
             entry.combination.name for entry in entries if entry.results is not None and entry.number not in kept
         ],
@@ -171,6 +173,7 @@ def _combination(
         "certified": entry.refused is None,
         "values": values,
         "extremes": {} if results is None else dict(_extremes(results, names)),
+        "reactions": [] if results is None else reactions_of(results),
     }
 
 

@@ -32,6 +32,27 @@ export function elementBoxes(mesh: Mesh, margin = 0): { boxes: Float64Array; tot
   return { boxes, total };
 }
 
+/** Return whether a line between two places passes through a box. */
+export function crosses(
+  [ax, ay]: readonly [number, number],
+  [bx, by]: readonly [number, number],
+  box: Readonly<Box>,
+): boolean {
+  const [dx, dy] = [bx - ax, by - ay];
+  let [from, to] = [0, 1]; // of the line what is within the sides so far
+  for (const [step, room] of [
+    [-dx, ax - box[0]],
+    [dx, box[2] - ax],
+    [-dy, ay - box[1]],
+    [dy, box[3] - ay],
+  ] as const) {
+    if (step === 0 && room < 0) return false;
+    if (step < 0) from = Math.max(from, room / step);
+    if (step > 0) to = Math.min(to, room / step);
+  }
+  return from <= to;
+}
+
 /** Extend a box to contain another one. */
 export function extend(box: Box, x0: number, y0: number, x1: number, y1: number): void {
   if (x0 < box[0]) box[0] = x0;

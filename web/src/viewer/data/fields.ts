@@ -255,7 +255,7 @@ function sizeOf(kept: Map<string, Float32Array>): number {
 }
 
 /** Whether a choice takes the largest of its combinations' values. */
-function isLargest(choice: Choice): boolean {
+export function isLargest(choice: Choice): boolean {
   return !isEnvelope(choice) || choice.startsWith("largest");
 }
 

@@ -134,6 +134,21 @@ interface Range {
   max: Extreme;
 }
 
+/** What a support or a wall does to the plate: its force with an arrow and its unit, the most along a line. */
+export interface Reaction {
+  at: Point;
+  text: string;
+}
+
+/** Bars that are laid together, all over the slab or in a zone, which has rings; what they are, and a place for that. */
+export interface BarSet {
+  layer: string;
+  zone: string;
+  rings: Ring[];
+  at: Point;
+  text: string;
+}
+
 export interface Combination {
   name: string;
   number: number;
@@ -143,6 +158,7 @@ export interface Combination {
   certified: boolean;
   values: Record<string, Block> | null;
   extremes: Record<string, Range>; // of "line_force" along the plate's edges, where the ground has one
+  reactions?: Reaction[]; // of supports and walls on the plate
   minus?: string | null; // in a difference the combination that is subtracted, null where there is none
 }
 
@@ -155,6 +171,7 @@ export interface Head {
   fields: Field[];
   combinations: Combination[];
   left_out: string[];
+  bars?: BarSet[];
   difference?: "reference" | "combination"; // what is subtracted in a difference of results
 }
 

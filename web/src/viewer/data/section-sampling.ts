@@ -1,5 +1,5 @@
 // Values of a field along a straight line through the plate.
-import { type Choice, fieldValueAt } from "./fields";
+import { type Choice, combinationsOf, fieldValueAt, isLargest } from "./fields";
 import type { LocalPoint, Locator } from "./point-location";
 import { distanceBetween, pointBetween } from "./points";
 import type { Point, Scene } from "./scene";
@@ -10,6 +10,8 @@ export interface Samples {
   end: Point;
   s: number[];
   spots: (LocalPoint | null)[];
+  /** Of a strip what lies across it at each distance, from one of its sides to the other. */
+  across?: (LocalPoint | null)[][];
 }
 
 const BISECTIONS = 22;
@@ -55,7 +57,43 @@ export function sampleLine(locator: Locator, start: Point, end: Point, count = 4
   return { start, end, s, spots: spots.filter((_, i) => once[i]) };
 }
 
-/** Return a field along a line, null off the plate. */
+const ACROSS = 20; // parts of a strip's width
+
+/** Return samples of a strip about a line: evenly along it, and from side to side. */
+export function sampleStrip(locator: Locator, start: Point, end: Point, width: number, count = 200): Samples {
+  const length = distanceBetween(start, end);
+  const [nx, ny] = [(start[1] - end[1]) / length, (end[0] - start[0]) / length];
+  const parts = Array.from({ length: count + 1 }, (_, i) => i / count);
+  const across = parts.map((part) => {
+    const [x, y] = pointBetween(start, end, part);
+    return Array.from({ length: ACROSS + 1 }, (_, k) => {
+      const off = width * (k / ACROSS - 0.5);
+      return locator.locate(x + off * nx, y + off * ny);
+    });
+  });
+  return { start, end, s: parts.map((part) => part * length), spots: across.map((row) => row[ACROSS / 2]!), across };
+}
+
+/** Return the mean of a field across a strip, of what is on the plate; null if nothing is. */
+function meanAcross(
+  scene: Scene,
+  locator: Locator,
+  choice: Choice,
+  field: string,
+  row: readonly (LocalPoint | null)[],
+): number | null {
+  const weights = row.map((spot, k): number => (spot ? (k === 0 || k === row.length - 1 ? 0.5 : 1) : 0));
+  const total = weights.reduce((sum, weight) => sum + weight, 0);
+  if (total === 0) return null;
+  // of an envelope the extreme of the combinations' means
+  const means = combinationsOf(scene, choice).map((from) => {
+    const valueAt = (spot: LocalPoint | null) => (spot ? fieldValueAt(scene, locator, from, field, spot).value : 0);
+    return row.reduce((sum, spot, k) => sum + weights[k]! * valueAt(spot), 0) / total;
+  });
+  return isLargest(choice) ? Math.max(...means) : Math.min(...means);
+}
+
+/** Return a field along a line, or its mean across a strip; null off the plate. */
 export function sampleField(
   scene: Scene,
   locator: Locator,
@@ -63,6 +101,7 @@ export function sampleField(
   field: string,
   samples: Samples,
 ): (number | null)[] {
+  if (samples.across) return samples.across.map((row) => meanAcross(scene, locator, choice, field, row));
   return samples.spots.map((spot) => (spot ? fieldValueAt(scene, locator, choice, field, spot).value : null));
 }
 

@@ -21,6 +21,7 @@ import { Locator } from "../data/point-location";
 import type { Combination, Point, Scene } from "../data/scene";
 import type { ScaleRange, ShownField } from "../data/shown-field";
 import { PlanView, type Tool } from "../plan/plan-view";
+import { annotationsOf } from "../plan/result-symbols";
 import { allow, button, fill, h, press, setRead, setText, verbatim } from "../shared/dom";
 import { keepNames, translate } from "../shared/language";
 import { plainSymbols, symbolText } from "../shared/symbols";
@@ -31,11 +32,13 @@ import "./result-view.css";
 
 type Mode = "plan" | "space";
 
+const OF_PLAN = "Of the plan alone: choose Plan first.";
+
 export interface ResultViewHooks {
   /** A point was picked. */
   onPick(at: Point): void;
-  /** A section was cut between two points. */
-  onSection(start: Point, end: Point): void;
+  /** A section was cut between two points, or with a width a strip. */
+  onSection(start: Point, end: Point, width: number): void;
   /** Another field or combination is shown. */
   onShow(): void;
 }
@@ -58,7 +61,15 @@ export class ResultView {
   readonly fitButton = button("Fit", "Zoom to the whole plate (0)", () => this.fit());
   readonly meshButton = button("Mesh", "Show the mesh over the field", () => this.setMesh(!this.mesh));
   readonly numbersButton = button("Numbers", "Show values on contours and where there is space", () =>
-    this.setNumbers(!this.numbers),
+    this.setLayer("numbers", !this.layers.numbers),
+  );
+  readonly reactionsButton = button("Reactions", "Show what supports and walls bear in the combination", () =>
+    this.setLayer("reactions", !this.layers.reactions),
+  );
+  readonly barsButton = button(
+    "Bars",
+    "Show diameter and spacing of the bars provided, over fields of their layer",
+    () => this.setLayer("bars", !this.layers.bars),
   );
   /** Beside the picture: the scale. */
   readonly scaleBox = h("div", { class: "gs-scale" });
@@ -73,7 +84,7 @@ export class ResultView {
   private readonly modes: Record<Mode, HTMLButtonElement>;
   private range: ScaleRange = "auto";
   private mesh = false;
-  private numbers = true;
+  private readonly layers = { numbers: true, reactions: true, bars: true };
   /** What was chosen last, so that it stays so when the order of combinations changes, or one passing scene lacks it. */
   wanted: { name: string; choice: Choice; field: string } = { name: "", choice: 0, field: "settlement" };
 
@@ -87,7 +98,7 @@ export class ResultView {
       pick: button("Pick", "Click the plate to read all values at that point", () => this.setTool("pick")),
       section: button(
         "Section",
-        "Drag from one point to another, or click both, to cut a section; hold Shift to align it with x or y",
+        "Drag from one point to another, or click both, to cut a section; hold Shift to align it with x or y; drag the section sideways to average over a strip",
         () => this.setTool("section"),
       ),
     };
@@ -102,7 +113,7 @@ export class ResultView {
     this.legend = new Legend(this.scaleBox);
     this.plan.onShow = (shown) => this.showLegend(shown);
     this.plan.onPick = (at) => hooks.onPick(at);
-    this.plan.onSection = (start, end) => hooks.onSection(start, end);
+    this.plan.onSection = (start, end, width) => hooks.onSection(start, end, width);
     this.plan.onHover = (at) => this.read(at);
     this.fields.addEventListener("change", () => this.show(this.choice, this.fields.value));
     this.combinations.addEventListener("change", () => this.show(parseChoice(this.combinations.value), this.field));
@@ -113,7 +124,7 @@ export class ResultView {
     this.setTool("pick");
     press(this.modes, "plan");
     this.setMesh(false);
-    this.setNumbers(true);
+    for (const name of ["numbers", "reactions", "bars"] as const) this.setLayer(name, true);
   }
 
   /** Show a scene; zoom, field and combination stay as far as it has them, after one that passes in any case. */
@@ -175,6 +186,7 @@ export class ResultView {
     const { plan } = scene.head;
     const acting = factors && !plan.plates?.length ? labelEverywhere(plan.loads, factors) : "";
     setText(this.everywhere, acting && `Entire slab: ${plainSymbols(acting)}`);
+    this.offerLayers(scene);
     this.hooks.onShow();
   }
 
@@ -192,11 +204,26 @@ export class ResultView {
     this.space?.setMesh(mesh);
   }
 
-  /** Show numbers on the field, or not. */
-  setNumbers(numbers: boolean): void {
-    this.numbers = numbers;
-    this.numbersButton.setAttribute("aria-pressed", String(numbers));
-    this.plan.setLayers({ numbers });
+  /** Show numbers on the field, reactions or bars, or not. */
+  private setLayer(name: keyof ResultView["layers"], on: boolean): void {
+    this.layers[name] = on;
+    this.layerButtons[name].setAttribute("aria-pressed", String(on));
+    this.plan.setLayers({ [name]: on });
+  }
+
+  private get layerButtons(): Record<keyof ResultView["layers"], HTMLButtonElement> {
+    return { numbers: this.numbersButton, reactions: this.reactionsButton, bars: this.barsButton };
+  }
+
+  /** Offer what the scene has: reactions of one combination, bars over a field of their layer. */
+  private offerLayers({ head }: Scene): void {
+    const of = this.mode === "space" ? OF_PLAN : "";
+    const { reactions, bars } = annotationsOf(head, isEnvelope(this.choice) ? null : this.choice, this.field);
+    allow(this.numbersButton, of);
+    this.reactionsButton.hidden = !head.combinations.some((each) => each.reactions?.length);
+    allow(this.reactionsButton, of || (reactions.length ? "" : "An envelope has no reactions: choose a combination."));
+    this.barsButton.hidden = !head.bars?.length;
+    allow(this.barsButton, of || (bars.length ? "" : "Choose a field of a layer of bars first."));
   }
 
   setTool(tool: Tool): void {
@@ -218,8 +245,7 @@ export class ResultView {
   private setMode(mode: Mode): void {
     this.mode = mode;
     press(this.modes, mode);
-    const why = mode === "space" ? "Of the plan alone: choose Plan first." : "";
-    for (const each of [...Object.values(this.tools), this.numbersButton]) allow(each, why);
+    for (const each of Object.values(this.tools)) allow(each, mode === "space" ? OF_PLAN : "");
     this.planBox.hidden = mode !== "plan";
     this.spaceBox.hidden = mode !== "space";
     if (mode === "space" && !this.space) {

@@ -7,7 +7,15 @@ import { formatNumber, formatShort } from "../data/numbers";
 import type { Locator } from "../data/point-location";
 import { distanceBetween, pointBetween } from "../data/points";
 import type { Point, Scene } from "../data/scene";
-import { axisLimits, findPeaks, pointsDownward, type Samples, sampleField, sampleLine } from "../data/section-sampling";
+import {
+  axisLimits,
+  findPeaks,
+  pointsDownward,
+  type Samples,
+  sampleField,
+  sampleLine,
+  sampleStrip,
+} from "../data/section-sampling";
 import { h } from "../shared/dom";
 import { translate } from "../shared/language";
 import { FONT, type Palette, paletteOf } from "../shared/palette";
@@ -32,12 +40,17 @@ export interface Section {
   choices: Choice[];
   start: Point;
   end: Point;
+  width?: number | undefined; // over which the field is averaged
 }
 
 interface Peak {
   s: number;
   value: number;
   choice: Choice;
+}
+
+function samplesOf({ locator, start, end, width }: Section): Samples {
+  return width ? sampleStrip(locator, start, end, width) : sampleLine(locator, start, end);
 }
 
 export class SectionChart {
@@ -58,7 +71,7 @@ export class SectionChart {
   /** Draw a section; null: nothing. */
   show(section: Section | null): void {
     this.section = section;
-    this.samples = section && sampleLine(section.locator, section.start, section.end);
+    this.samples = section && samplesOf(section);
     const sample = ({ scene, locator, field, choices }: Section) =>
       choices.map((choice) => sampleField(scene, locator, choice, field, this.samples!));
     this.curves = section ? sample(section) : [];

@@ -10,8 +10,8 @@ import { onThemeChange } from "../shared/theme";
 import type { ResultView } from "./result-view";
 import { SectionChart } from "./section-chart";
 
-/** Where a section is cut. */
-export type SectionLine = Pick<Line, "start" | "end" | "name">;
+/** Where a section is cut; with a width it is a strip, over which fields are averaged. */
+export type SectionLine = Pick<Line, "start" | "end" | "name"> & { width?: number };
 
 const THIS = "this";
 
@@ -43,6 +43,7 @@ export class SectionPanel {
   cut(section: SectionLine | null): void {
     this.section = section;
     this.view.plan.mark("section", section && [section.start, section.end]);
+    this.view.plan.mark("width", section?.width ?? 0);
     if (!section?.name) this.lines.value = "";
     this.drawChart();
     this.onCut(section);
@@ -79,9 +80,13 @@ export class SectionPanel {
     const { unit, per_meter: per } = lengthsOf(scene.head.plan);
     const place = ([x, y]: Point) => `(${formatShort(x * per, 5)}, ${formatShort(y * per, 5)})`;
     const name = section.name ? `${section.name}: ` : "";
+    const [symbol, start, end] = [symbolText(info.symbol), place(section.start), place(section.end)];
+    const width = formatShort((section.width ?? 0) * per, 4);
     setText(
       this.title,
-      `${symbolText(info.symbol)} [${info.unit}] along ${name}${place(section.start)} to ${place(section.end)} ${unit}`,
+      section.width
+        ? `${symbol} [${info.unit}] along ${name}${start} to ${end} ${unit}, mean over a width of ${width} ${unit}`
+        : `${symbol} [${info.unit}] along ${name}${start} to ${end} ${unit}`,
     );
     this.chart.show({ scene, locator, field, choices: this.choices(scene), ...section });
   }

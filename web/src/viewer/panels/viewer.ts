@@ -24,6 +24,8 @@ const LAYERS: readonly [keyof Layers, string][] = [
   ["ground", "ground"],
   ["output", "lines and points"],
   ["labels", "labels"],
+  ["reactions", "reactions"],
+  ["bars", "bars"],
   ["extremes", "minimum and maximum"],
 ];
 
@@ -49,7 +51,7 @@ export class Viewer {
     const side = h("div", { class: "gs-side" });
     this.view = new ResultView({
       onPick: (at) => this.setPick(at),
-      onSection: (start, end) => this.section.cut({ start, end, name: "" }),
+      onSection: (start, end, width) => this.section.cut({ start, end, name: "", width }),
       onShow: () => this.update(),
     });
     const { view } = this;

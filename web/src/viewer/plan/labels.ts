@@ -21,6 +21,8 @@ export interface Label {
 const ORDER: readonly LabelKind[] = [
   "axis",
   "extreme",
+  "reaction",
+  "bars",
   "zone",
   "borehole",
   "strip",
@@ -69,6 +71,7 @@ function wishOf({ kind, text, at: [x, y], align }: Label): LabelWish {
   const corner = (dx: number, dy: number): Point => [left - BESIDE + dx, y - ABOVE + dy];
   if (align === "over") return { size, places: [corner(0, 4)] };
   if (kind === "axis") return { size, places: [corner(0, 0)] }; // in its bubble, or nowhere
+  if (kind === "bars") return { size, places: [0, 14, 28, 42, -14, -28].map((dy) => corner(0, dy)) };
   const other = align === "middle" ? 0 : -length - 16;
   const places = [corner(0, 0), corner(other, 0), corner(0, -14), corner(0, 14), corner(other, -14), corner(other, 14)];
   return { size, places, kept: kind === "extreme" };

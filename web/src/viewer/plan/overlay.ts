@@ -8,18 +8,21 @@ import { h, svg } from "../shared/dom";
 import { type Camera, isNear, transformOf } from "./camera";
 import { drawLabels } from "./labels";
 import { type Layers, symbolsOf } from "./plan-symbols";
+import { type Annotations, annotationSymbols } from "./result-symbols";
 import { drawRulers, drawScaleBar } from "./rulers";
 import { drawGroup, drawJoined } from "./symbol-groups";
-import { drawCross, drawEnds, drawPath, type PlanSymbol } from "./symbols";
+import { drawCross, drawEnds, drawPath, drawStripSides, type PlanSymbol } from "./symbols";
 
 /** Marks that the user sets, and those of the field. */
 export interface Marks {
   pick: Point | null;
   place: Point | null; // that a chart points at
   section: [Point, Point] | null;
+  width: number; // of the strip about the section, 0 of none [m]
   selected: { points: readonly Point[]; closed: boolean } | null; // an item of the model
   extremes: { point: Point; text: string; isMaximum: boolean }[];
   factors: ReadonlyMap<string, number> | null; // of the load cases in what is shown; null: no one combination
+  written: Annotations; // beside the field
 }
 
 /** Return the numbers on a field where it is seen [m], at a scale [pixels per meter]. */
@@ -55,7 +58,10 @@ export class Overlay {
     const start = performance.now();
     this.drawRulers(camera, layers, lengthsOf(plan));
     this.symbols.style.transform = "";
-    const seen = plan ? symbolsOf(plan, layers, marks.factors).filter((symbol) => isSeen(symbol, camera)) : [];
+    const symbols = plan
+      ? [...symbolsOf(plan, layers, marks.factors), ...annotationSymbols(marks.written, layers)]
+      : [];
+    const seen = symbols.filter((symbol) => isSeen(symbol, camera));
     const { groups, labels } = drawJoined(camera, thinLoads(seen, camera));
     const taken = new TakenBoxes();
     for (const symbol of seen) reserve(symbol, camera, taken);
@@ -80,7 +86,8 @@ export class Overlay {
     if (marks.selected) groups.push(drawSelected(camera, marks.selected));
     if (marks.section) {
       const pixels = marks.section.map((point) => camera.toPixel(point));
-      groups.push(drawGroup("cut", [drawPath(pixels, false), ...drawEnds(pixels)]));
+      const sides = marks.width > 0 ? drawStripSides(pixels, (marks.width / 2) * camera.scale) : [];
+      groups.push(drawGroup("cut", [drawPath(pixels, false), ...drawEnds(pixels), ...sides]));
     }
     if (marks.place) groups.push(drawGroup("place", [drawDot(camera.toPixel(marks.place), 5)]));
     if (marks.pick) groups.push(drawGroup("pick", drawPick(camera.toPixel(marks.pick))));

@@ -15,6 +15,8 @@ export const ALL_LAYERS = {
   output: true, // section lines, strips, points
   labels: true,
   numbers: true, // on contours and on a raster
+  reactions: true, // of supports and walls
+  bars: true, // that are laid, over fields of their layer
   extremes: true, // where the shown field has its minimum and maximum
   axes: true, // of the building
   rulers: true, // along the edges of the picture, and the scale bar

@@ -1,6 +1,7 @@
 // The plate in plan: a field in colors, and above it the symbols of the plan.
 
-import { contourNumbers, rasterNumbers } from "../data/field-numbers";
+import { boxAround } from "../data/boxes";
+import { clearOfEdges, contourNumbers, rasterNumbers } from "../data/field-numbers";
 import {
   CONTACT,
   extremesOf,
@@ -12,6 +13,7 @@ import {
 } from "../data/fields";
 import { lengthsOf } from "../data/lengths";
 import { formatNumber } from "../data/numbers";
+import { distanceBetween, placeBeside } from "../data/points";
 import type { Extreme, Plan, Point, Scene } from "../data/scene";
 import { type ShownField, scaleFor } from "../data/shown-field";
 import { FieldView } from "../renderer/field-view";
@@ -21,16 +23,19 @@ import { Camera, isNear, transformOf } from "./camera";
 import { isFar, Motion, pixelOf, Touches, zoomByWheel } from "./navigation";
 import { BEYOND, type Marks, type NumbersAt, Overlay } from "./overlay";
 import { ALL_LAYERS, type Layers } from "./plan-symbols";
+import { annotationsOf } from "./result-symbols";
 import { RULER } from "./rulers";
 import "./plan-view.css";
 
 export type Tool = "pan" | "pick" | "section";
 
+const NEAR = 7; // px: how near to the section a drag begins that makes a strip
+
 export class PlanView extends FieldView {
   /** A point of the plan was picked [m]. */
   onPick?: (at: Point) => void;
-  /** A section was cut between two points [m]. */
-  onSection?: (start: Point, end: Point) => void;
+  /** A section was cut between two points, or with a width a strip [m]. */
+  onSection?: (start: Point, end: Point, width: number) => void;
   /** The pointer is over a point of the plan [m]; null: it left. */
   onHover?: (at: Point | null) => void;
   /** What is shown; null: no field. */
@@ -46,14 +51,17 @@ export class PlanView extends FieldView {
     pick: null,
     place: null,
     section: null,
+    width: 0,
     selected: null,
     extremes: [],
     factors: null,
+    written: { reactions: [], bars: [] },
   };
   private sectionStart: Point | null = null;
   private readonly touches = new Touches();
   private pressed: Point | null = null; // where a click may begin
   private pulling = false; // whether a section is pulled from where the pointer was pressed
+  private widening = false; // whether the side of a strip is
   private readonly motion = new Motion(() => this.redraw());
   private isDrawn = false; // whether the overlay shows what is to be shown
   private painted: { camera: Camera; when: number } | null = null; // what the renderer drew last
@@ -103,7 +111,7 @@ export class PlanView extends FieldView {
   }
 
   /** Set a mark; null: remove it. */
-  mark<K extends "pick" | "place" | "section" | "selected">(name: K, at: Marks[K]): void {
+  mark<K extends "pick" | "place" | "section" | "width" | "selected">(name: K, at: Marks[K]): void {
     this.marks[name] = at;
     super.redraw();
   }
@@ -142,6 +150,7 @@ export class PlanView extends FieldView {
     const { scene, choice: shown, options, marks } = this;
     this.picture = this.shown = this.painted = marks.factors = null;
     marks.extremes = [];
+    marks.written = { reactions: [], bars: [] };
     if (scene && shown) {
       const field = fieldOf(scene, shown.field);
       const hasContact = scene.head.fields.some((each) => each.name === CONTACT);
@@ -155,6 +164,8 @@ export class PlanView extends FieldView {
       this.shown = { choice: shown.choice, field, scale, lifted };
       marks.extremes = extremeMarks(extremesOf(scene, shown.choice, shown.field));
       const factors = isEnvelope(shown.choice) ? null : scene.head.combinations[shown.choice]?.factors;
+      const combination = isEnvelope(shown.choice) ? null : shown.choice;
+      marks.written = annotationsOf(scene.head, combination, shown.field);
       if (factors?.length) marks.factors = new Map(factors);
     }
     this.renderer.setPicture(this.picture);
@@ -173,7 +184,10 @@ export class PlanView extends FieldView {
 
   private fitTo(camera: Camera): void {
     const { axes } = this.layers;
-    camera.fit(this.plan?.bounds ?? [-5, -5, 5, 5], 36, axes ? RULER.left : 0, axes ? RULER.bottom + 14 : 0);
+    const bubbles = (this.layers.columns && this.plan?.axes) || [];
+    const [x0, y0, x1, y1] = this.plan?.bounds ?? [-5, -5, 5, 5];
+    const all = boxAround([[x0, y0], [x1, y1], ...bubbles.map(({ bubble }) => bubble)]);
+    camera.fit(all, 36, axes ? RULER.left : 0, axes ? RULER.bottom + 14 : 0);
   }
 
   protected override redraw(): void {
@@ -204,8 +218,9 @@ export class PlanView extends FieldView {
     const { scene, picture, layers } = this;
     if (!scene || !picture || !layers.numbers) return [];
     const { values, scale: colors, lines } = picture;
-    const levels = lines ? contourNumbers(scene.mesh, values, colors, box, scale) : [];
-    return [...levels, ...rasterNumbers(scene.mesh, values, box, scale)];
+    const isClear = clearOfEdges(scene.head.plan, scale);
+    const levels = lines ? contourNumbers(scene.mesh, values, colors, box, scale, isClear) : [];
+    return [...levels, ...rasterNumbers(scene.mesh, values, box, scale, isClear)];
   };
 
   /**
@@ -272,7 +287,8 @@ export class PlanView extends FieldView {
     if (!before) return this.hover(camera.toPlan(at), event.shiftKey);
     if (this.pressed && !isFar(this.pressed, at)) return;
     if (this.pressed && this.tool === "section" && event.buttons === 1) {
-      if (!this.sectionStart) this.sectionStart = this.round(camera.toPlan(this.pressed), false);
+      this.widening = !this.sectionStart && this.isOnSection(this.pressed);
+      if (!this.sectionStart && !this.widening) this.sectionStart = this.round(camera.toPlan(this.pressed), false);
       this.pulling = true;
     }
     this.pressed = null;
@@ -291,12 +307,32 @@ export class PlanView extends FieldView {
     return Math.abs(u - from[0]) > Math.abs(v - from[1]) ? [u, from[1]] : [from[0], v];
   }
 
+  /** Whether a pixel is on the section, so that a drag from there to the side makes a strip of it. */
+  private isOnSection(pixel: Point): boolean {
+    const { section } = this.marks;
+    if (!section || distanceBetween(...section) === 0) return false;
+    const [off, along] = placeBeside(...section, this.camera.toPlan(pixel));
+    return off * this.camera.scale < NEAR && along > 0 && along < 1;
+  }
+
   private hover(at: Point | null, straight = false): void {
+    if (this.widening && this.pulling && at) this.mark("width", this.widthTo(at));
     if (this.sectionStart && at) this.mark("section", [this.sectionStart, this.round(at, straight)]);
     this.onHover?.(at);
   }
 
+  /** Return the width of a strip about the section whose side is at a point. */
+  private widthTo(at: Point): number {
+    const [off] = placeBeside(...this.marks.section!, at);
+    return this.round([2 * off, 0], false)[0];
+  }
+
   private click(point: Point, straight: boolean): void {
+    const { section } = this.marks;
+    if (this.widening && section) {
+      this.widening = false;
+      return this.onSection?.(...section, this.widthTo(point));
+    }
     const at = this.round(point, straight);
     if (this.tool === "pick") {
       this.mark("pick", at);
@@ -304,8 +340,9 @@ export class PlanView extends FieldView {
     } else if (this.tool === "section") {
       const start = this.sectionStart;
       this.sectionStart = start ? null : at;
+      this.mark("width", 0);
       this.mark("section", [start ?? at, at]);
-      if (start) this.onSection?.(start, at);
+      if (start) this.onSection?.(start, at, 0);
     }
   }
 
@@ -328,8 +365,9 @@ export class PlanView extends FieldView {
 
   /** Give up the section that was begun. */
   private dropSection(): void {
-    this.pulling = false;
+    this.pulling = this.widening = false;
     this.sectionStart = null;
+    this.mark("width", 0);
     this.mark("section", null);
   }
 }

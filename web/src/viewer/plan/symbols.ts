@@ -29,6 +29,8 @@ export type Kind =
   | "gap"
   | "output point"
   | "section line"
+  | "bars"
+  | "reaction"
   | "strip";
 
 type Ring = readonly Readonly<Point>[];
@@ -68,14 +70,13 @@ export function drawSymbol(camera: Camera, symbol: PlanSymbol): SVGElement[] {
       return [drawPath(pixels, false)];
     case "joint":
       return [drawPath(pixels, false), drawText(middleOf(pixels), text, [6, -6])];
-    case "refinement":
-      return [drawArea(pixels), drawText(leftTop(pixels), text, [5, 13])];
     case "move":
       return drawMove(symbol, pixels, toPixels, text);
     case "opening":
       return [drawArea(pixels), ...drawDiagonals(pixels)];
     case "zone":
       return [drawArea(pixels), drawText(middleTop(pixels), text, [0, 13], "middle")];
+    case "refinement":
     case "soil zone":
     case "void":
       return [drawArea(pixels), drawText(leftTop(pixels), text, [5, 13])];
@@ -86,11 +87,7 @@ export function drawSymbol(camera: Camera, symbol: PlanSymbol): SVGElement[] {
       return drawColumn(at, toPixels(symbol.foot ?? []), text);
     case "support":
       if (symbol.shape === "point") return drawPointSupport(at, symbol.elastic === true, text);
-      return [
-        drawPath(pixels, false, symbol.elastic ? "elastic" : ""),
-        ...drawTeeth(pixels),
-        drawText(middleOf(pixels), text, [6, 14]),
-      ];
+      return drawLineSupport(pixels, symbol.elastic === true, text);
     case "load":
       return drawLoad(symbol, pixels, toPixels);
     case "borehole":
@@ -99,10 +96,19 @@ export function drawSymbol(camera: Camera, symbol: PlanSymbol): SVGElement[] {
       return drawStrip(pixels, ((symbol.width ?? 0) / 2) * camera.scale, text);
     case "section line":
       return [drawPath(pixels, false), ...drawEnds(pixels), drawText(at, text, [6, -6])];
+    case "bars":
+    case "reaction":
+      return drawWritten(symbol, pixels, text);
     case "output point":
     case "gap":
       return [...drawCross(at, 5), drawText(at, text, [7, -5])];
   }
+}
+
+/** Draw the border of a zone of bars, or words: of bars about their place, of a reaction beside it. */
+function drawWritten({ kind, shape }: PlanSymbol, pixels: Ring, text: string): SVGElement[] {
+  if (shape === "area") return [drawArea(pixels), drawText(middleTop(pixels), text, [0, 13], "middle")];
+  return [kind === "reaction" ? drawText(pixels[0]!, text, [11, 3]) : drawText(pixels[0]!, text, [0, 4], "middle")];
 }
 
 /** Draw an axis of the building, with its name in a bubble at the last of the pixels. */
@@ -192,6 +198,11 @@ function drawPointSupport(at: Readonly<Point>, elastic: boolean, name: string): 
   return [drawArea(triangle), drawPath(base, false, "fine"), drawText(at, name, [11, 16])];
 }
 
+function drawLineSupport(pixels: Ring, elastic: boolean, name: string): SVGElement[] {
+  const line = drawPath(pixels, false, elastic ? "elastic" : "");
+  return [line, ...drawTeeth(pixels), drawText(middleOf(pixels), name, [6, 14])];
+}
+
 /** Draw short strokes along a line support. */
 function drawTeeth(pixels: Ring): SVGElement[] {
   return placesAlong(pixels, 9).map(({ at, along: [dx, dy] }) =>
@@ -275,12 +286,17 @@ function drawBorehole([x, y]: Readonly<Point>, name: string): SVGElement[] {
 }
 
 function drawStrip(pixels: Ring, half: number, name: string): SVGElement[] {
+  const sides = drawStripSides(pixels, half);
+  return sides.length ? [...sides, drawPath(pixels, false), drawText(pixels[0]!, name, [6, -6])] : [];
+}
+
+/** Draw the outline of a strip about a line [px]; nothing about a point. */
+export function drawStripSides(pixels: Ring, half: number): SVGElement[] {
   const [a, b = a] = pixels as [Point, Point?];
   const [dx, dy, length] = directionOf(a, b);
   if (length === 0) return [];
   const [nx, ny] = [-dy * half, dx * half];
-  const outline = [...offset(a, [nx, ny]), ...offset(b, [nx, ny], [-nx, -ny]), ...offset(a, [-nx, -ny])];
-  return [drawArea(outline), drawPath(pixels, false), drawText(a, name, [6, -6])];
+  return [drawArea([...offset(a, [nx, ny]), ...offset(b, [nx, ny], [-nx, -ny]), ...offset(a, [-nx, -ny])])];
 }
 
 /** Draw bars across the ends of a section line. */

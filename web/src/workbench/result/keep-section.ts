@@ -34,6 +34,7 @@ export function keepSection(store: Store, push: (change: Change) => void) {
   const element = h("div", { class: "keep-section", hidden: true }, keepLine, keepStrip, width);
   const set = (shown: SectionLine | null) => {
     section = shown?.name ? null : shown;
+    if (section?.width) width.value = formatLength(section.width);
     element.hidden = section === null;
   };
   return { element, set };

@@ -62,20 +62,11 @@ export class Picture {
 
   /** Make the choices and tools that stand above the picture. */
   makeToolbar(): HTMLElement {
-    const { combinations, fields, toolGroup, modeGroup, fitButton, meshButton, numbersButton } = this.view;
+    const { combinations, fields, toolGroup, modeGroup, fitButton, meshButton } = this.view;
+    const { numbersButton, reactionsButton, barsButton } = this.view;
     const about = { class: "stage-bar", role: "toolbar", "aria-label": "result" };
-    return h(
-      "div",
-      about,
-      combinations,
-      this.minus.select,
-      fields,
-      toolGroup,
-      modeGroup,
-      fitButton,
-      meshButton,
-      numbersButton,
-    );
+    const switches = [fitButton, meshButton, numbersButton, reactionsButton, barsButton];
+    return h("div", about, combinations, this.minus.select, fields, toolGroup, modeGroup, ...switches);
   }
 
   /** What is shown, as files of it are asked for; null: nothing. */

@@ -85,7 +85,7 @@ export class ResultPanel {
         this.lower.tabs.show("values");
         this.update();
       },
-      onSection: (start: Point, end: Point) => this.lower.section.cut({ start, end, name: "" }),
+      onSection: (start: Point, end: Point, width: number) => this.lower.section.cut({ start, end, name: "", width }),
       onShow: () => this.update(),
     };
     return new Picture(

@@ -6,6 +6,7 @@ import {
   pointsDownward,
   sampleField,
   sampleLine,
+  sampleStrip,
 } from "../../../src/viewer/data/section-sampling";
 import { beside, grid, sceneOf } from "../synthetic";
 
@@ -84,5 +85,36 @@ describe("a section", () => {
       false,
       false,
     ]);
+  });
+});
+
+describe("a strip", () => {
+  const mesh = grid(4, 4, (x, y) => [4 * x, 4 * y]);
+  const given = [
+    { name: "A", fields: { settlement: (x: number, y: number) => x + 3 * (y - 2) ** 2 } },
+    { name: "B", fields: { settlement: (x: number) => 9 - x } },
+  ];
+  const scene = sceneOf(mesh, given);
+  const locator = new Locator(mesh);
+
+  it("has the mean over its width of what is on the plate", () => {
+    // the mean of 3 v^2 over a width b is b^2 / 4, by twenty trapezoids a little more
+    const samples = sampleStrip(locator, [0.5, 2], [3.5, 2], 2, 30);
+    const values = sampleField(scene, locator, 0, "settlement", samples);
+    for (const [i, s] of samples.s.entries()) expect(values[i]).toBeCloseTo(0.5 + s + 1 * (1 + 2 / 20 ** 2), 4);
+    // half of it beyond the plate, which does not count: v from -2 to 0 of 9 - x is 9 - x
+    const beside = sampleStrip(locator, [0.5, 0], [3.5, 0], 2, 6);
+    sampleField(scene, locator, 1, "settlement", beside).forEach((value, i) => {
+      expect(value).toBeCloseTo(8.5 - beside.s[i]!, 4);
+    });
+    const off = sampleStrip(locator, [0, 9], [4, 9], 2, 4);
+    expect(sampleField(scene, locator, 0, "settlement", off)).toEqual([null, null, null, null, null]);
+  });
+
+  it("has of an envelope the extreme of the means, not the mean of the extremes", () => {
+    const samples = sampleStrip(locator, [1, 2], [3, 2], 4, 2);
+    const [a, b] = [0, 1].map((choice) => sampleField(scene, locator, choice, "settlement", samples));
+    const largest = sampleField(scene, locator, "largest", "settlement", samples);
+    expect(largest).toEqual(a!.map((value, i) => Math.max(value!, b![i]!)));
   });
 });

@@ -17,7 +17,7 @@ from groundslab.design.detailing.positions import positions
 from groundslab.geometry.plan import DRAWN_CHORD
 from groundslab.model.loads.acting import AreaPressure, LineForce, PointForce
 from groundslab.schema.wording import printable
-from groundslab.unit_systems import unit_in, words_in
+from groundslab.unit_systems import words_in
 from groundslab.views.drawing.bars import BAR_LAYERS, face_bars
 from groundslab.views.drawing.shapes import (
     LETTERS,
@@ -36,6 +36,7 @@ from groundslab.views.plots.contours import ColorScale, contour_lines, levels_wi
 from groundslab.views.plots.panels import NOT_CERTIFIED, Panel, build_panels, find_extremes, shared_scales
 from groundslab.views.plots.style import PT, SMALL, number
 from groundslab.views.plots.symbols import supported_edges
+from groundslab.views.reactions import support_reactions
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -236,13 +237,11 @@ def _reactions(request: PlotRequest, model: Model, h: float) -> dict[str, list[S
     """Return what supports bear in each combination that is drawn by itself, by layer."""
     if request.envelope or request.minus:
         return {}
-    unit, factor = unit_in("kN", model.units)
     texts: dict[str, list[Shape]] = {}
     for combination in request.combinations:
         layer = _layer_name("REACTIONS" + (f" {combination.name}" if len(request.combinations) > 1 else ""))
-        for support in combination.results.supports:
-            if len(support.nodes):
-                x, y = support.nodes.mean(axis=0)
-                words = printable(f"{support.name}: {number(support.total / 1e3 * factor)} {unit}")
-                texts.setdefault(layer, []).append(Text(layer, (float(x) + 0.8 * h, float(y) - 1.5 * h), h, words))
+        for reaction in support_reactions(combination.results):
+            x, y = reaction.place
+            words = printable(f"{reaction.name}: {reaction.words(model.units)}")
+            texts.setdefault(layer, []).append(Text(layer, (x + 0.8 * h, y - 1.5 * h), h, words))
     return texts
