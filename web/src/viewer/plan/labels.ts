@@ -65,7 +65,7 @@ function rankOf({ kind }: Label): number {
 }
 
 function wishOf({ kind, text, at: [x, y], align }: Label): LabelWish {
-  const length = widthOf(text);
+  const length = textWidth(text);
   const left = align === "" ? x : align === "end" ? x - length : x - length / 2;
   const size: Point = [length + 2 * BESIDE, HEIGHT];
   const corner = (dx: number, dy: number): Point => [left - BESIDE + dx, y - ABOVE + dy];
@@ -78,7 +78,7 @@ function wishOf({ kind, text, at: [x, y], align }: Label): LabelWish {
 }
 
 /** Return the width of a text in the font of labels [px]. */
-function widthOf(text: string): number {
+export function textWidth(text: string): number {
   const known = widths.get(text);
   if (known !== undefined) return known;
   context ??= document.createElement("canvas").getContext("2d");

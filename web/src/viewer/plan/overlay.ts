@@ -12,6 +12,7 @@ import { type Annotations, annotationSymbols } from "./result-symbols";
 import { drawRulers, drawScaleBar } from "./rulers";
 import { drawGroup, drawJoined } from "./symbol-groups";
 import { drawCross, drawEnds, drawPath, drawStripSides, type PlanSymbol } from "./symbols";
+import { thinLoads } from "./thinning";
 
 /** Marks that the user sets, and those of the field. */
 export interface Marks {
@@ -30,7 +31,6 @@ export type NumbersAt = (box: Box, scale: number) => FieldNumber[];
 
 /** How far beyond the view symbols are drawn, as a share of it, so that they are there when it moves. */
 export const BEYOND = 0.35;
-const CROWD = 15; // px: point loads so near to another one have no arrow
 
 export class Overlay {
   readonly element: HTMLElement;
@@ -127,19 +127,6 @@ function isSeen({ points }: PlanSymbol, { box, width, height, scale }: Camera): 
   const [x0, y0, x1, y1] = boxAround(points);
   const [dx, dy] = [(BEYOND * width) / scale, (BEYOND * height) / scale];
   return x1 >= box[0] - dx && x0 <= box[2] + dx && y1 >= box[1] - dy && y0 <= box[3] + dy;
-}
-
-/** Return the symbols, point loads that crowd others as dots. */
-function thinLoads(symbols: readonly PlanSymbol[], camera: Camera): PlanSymbol[] {
-  const taken = new Set<string>();
-  return symbols.map((symbol) => {
-    if (symbol.kind !== "load" || symbol.shape !== "point" || symbol.hidden) return symbol;
-    const [x, y] = camera.toPixel(symbol.points[0]!);
-    const [i, j] = [Math.round(x / CROWD), Math.round(y / CROWD)];
-    const isCrowded = [-1, 0, 1].some((di) => [-1, 0, 1].some((dj) => taken.has(`${i + di} ${j + dj}`)));
-    if (!isCrowded) taken.add(`${i} ${j}`);
-    return isCrowded ? { ...symbol, crowded: true } : symbol;
-  });
 }
 
 /** Let no label cover a column or a support. */

@@ -3,6 +3,7 @@ import { withMinus } from "../../viewer/data/numbers";
 import { distanceBetween } from "../../viewer/data/points";
 import type { Camera } from "../../viewer/plan/camera";
 import { drawSymbol, drawText, type PlanSymbol } from "../../viewer/plan/symbols";
+import { thinLoads, thinTexts } from "../../viewer/plan/thinning";
 import { svg } from "../../viewer/shared/dom";
 import { caseColor } from "../model/case-colors";
 import { isClosed, type Point, type Ring, readGeometry, ringOf } from "../model/geometry";
@@ -38,9 +39,13 @@ export function drawItems(
   const loadsAt = new Map<string, Item[]>();
   for (const item of items.filter((each) => each.kind === "load"))
     loadsAt.set(placeKey(item), [...(loadsAt.get(placeKey(item)) ?? []), item]);
-  return items.map((item) => {
+  const isMarked = ({ path }: Item) => samePath(highlights.hovered, path) || isSelected(path);
+  const isSelected = (path: Path) => highlights.selected.some((each) => samePath(each, path));
+  const symbols = items.map((item) => symbolOf(item, loadsAt.get(placeKey(item)) ?? [], highlights));
+  const thinned = thinLoads(symbols, camera, (n) => isMarked(items[n]!));
+  const elements = items.map((item, n) => {
     const path = pathKey(item.path);
-    const symbol = symbolOf(item, loadsAt.get(placeKey(item)) ?? [], highlights);
+    const symbol = thinned[n]!;
     const attributes = {
       class: classesOf(item, highlights),
       style: colorOf(item, highlights),
@@ -54,6 +59,10 @@ export function drawItems(
     drawn.set(path, { looks, element });
     return element;
   });
+  // texts of what is marked come first
+  const first = items.flatMap((item, n) => (isMarked(item) ? [elements[n]!] : []));
+  thinTexts([...first, ...elements.filter((element) => !first.includes(element))]);
+  return elements;
 }
 
 /** Return the color of a load's case as a style, null for that of all loads. */
