@@ -62,13 +62,16 @@ export class Camera {
     this.y += before[1] - after[1];
   }
 
-  /** Show a box with some space around it, and more of it at the left and at the bottom [px]. */
-  fit([x0, y0, x1, y1]: Readonly<Box>, margin = 46, left = 0, bottom = 0): void {
+  /** Show a box with some space around it, and more of it at the left, at the bottom and at the top [px]. */
+  fit([x0, y0, x1, y1]: Readonly<Box>, margin = 46, left = 0, bottom = 0, top = 0): void {
     const [width, height] = [Math.max(x1 - x0, 0.1), Math.max(y1 - y0, 0.1)];
-    const scale = Math.min((this.width - left - 2 * margin) / width, (this.height - bottom - 2 * margin) / height);
+    const scale = Math.min(
+      (this.width - left - 2 * margin) / width,
+      (this.height - bottom - top - 2 * margin) / height,
+    );
     this.scale = Math.min(NEAREST, Math.max(FARTHEST, scale));
     this.x = (x0 + x1) / 2 - left / 2 / this.scale;
-    this.y = (y0 + y1) / 2 - bottom / 2 / this.scale;
+    this.y = (y0 + y1) / 2 + (top - bottom) / 2 / this.scale;
   }
 
   /** Return a copy, which stays where it is. */

@@ -31,6 +31,7 @@ const REACH = 9; // px: how near is near enough
 const NOTHING_MARKED = { selected: [], hovered: null, faulty: [], loadCase: "" };
 const MARGIN = 42; // px around what is shown entirely
 const MARGIN_OF_AXES = 58;
+const BAR = 18; // px more where names of axes would be below the bar over the drawing
 const AXES = "groundslab-axes";
 const BEYOND = 0.5; // of the view: how far a drawing is moved with it, instead of being drawn again
 const SNAP = 4.5; // px: least distance of round lengths to snap to
@@ -124,7 +125,8 @@ export class Canvas {
       ]),
     );
     const margin = this.hasAxes ? MARGIN_OF_AXES : MARGIN;
-    this.camera.fit(boxes.length > 0 ? all : [-6, -4, 6, 4], margin, RULER.left, RULER.bottom);
+    const top = this.hasAxes && this.buildingAxes.length > 0 ? BAR : 0;
+    this.camera.fit(boxes.length > 0 ? all : [-6, -4, 6, 4], margin, RULER.left, RULER.bottom, top);
     this.fitted = true;
     this.redraw();
   }

@@ -14,6 +14,15 @@ describe("the camera", () => {
     expect(camera.toPixel(after)[0]).toBeCloseTo(100, 9);
   });
 
+  it("shows all of a box between what is taken at its sides", () => {
+    const camera = Object.assign(new Camera(), { width: 500, height: 400 });
+    camera.fit([0, 0, 4, 6], 20, 46, 24, 18);
+    expect(camera.toPixel([0, 6])[1]).toBeCloseTo(38, 9);
+    expect(camera.toPixel([0, 0])[1]).toBeCloseTo(400 - 44, 9);
+    const [left, right] = [camera.toPixel([0, 0])[0] - 46, 500 - camera.toPixel([4, 0])[0]];
+    expect(left).toBeCloseTo(right, 9);
+  });
+
   it("tells how a drawing of before has to be moved", () => {
     const drawn = Object.assign(new Camera(), { width: 400, height: 300, x: 1, y: 2, scale: 40 });
     const camera = drawn.copy();
