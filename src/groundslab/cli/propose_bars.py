@@ -102,12 +102,11 @@ def _zone(zone: BarZone, units: System) -> str:
 
 def _links(layout: LinkLayout, units: System) -> str:
     """Return links against punching in words."""
-    of = f"{layout.support} {layout.name}"
     if not layout.perimeters:
-        return f"no links at {of}: {layout.why}"
+        return f"no links at {layout.where}: {layout.why}"
     radial = "" if layout.radial is None else f", {layout.radial:g} m apart"
     return (
-        f"links at {of}: {layout.counts} legs {bar_size(layout.diameter, units)}, first perimeter "
+        f"links at {layout.where}: {layout.counts} legs {bar_size(layout.diameter, units)}, first perimeter "
         f"{layout.perimeters[0].distance:g} m from the face{radial}; {layout.mass:.0f} kg"
     )
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from groundslab.arrays import Array
 from groundslab.design.demands.line_traversal import interpolation, pieces
-from groundslab.design.demands.perimeter_loads import edge_inside
+from groundslab.design.demands.loads.edge_lengths import edge_inside
 from groundslab.design.demands.perimeters import Footprint, Perimeter, RectangularColumn, RoundColumn, perimeter
 from groundslab.design.demands.section_cuts import rotate_to_cut
 from groundslab.design.en1992.perimeters import openings

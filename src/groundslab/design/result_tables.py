@@ -9,13 +9,14 @@ from groundslab.design.basis.wall_ends import loaded_ends
 from groundslab.design.checks import check_design
 from groundslab.design.checks_table import checks_table
 from groundslab.design.demands.perimeter_loads import punching_piles
+from groundslab.design.demands.zones.thicker_zones import zone_forces
 from groundslab.design.detailing.bar_quantities import bars
 from groundslab.design.proposal.links import punching_links
 from groundslab.design.tables import errors
 from groundslab.design.tables.calculations import calculations
 from groundslab.design.tables.envelopes import envelopes, fields_of_envelope
 from groundslab.design.tables.locations import lines, points, soil, strips
-from groundslab.design.tables.punching import pile_punching, shear_reinforcement, wall_punching
+from groundslab.design.tables.punching import pile_punching, shear_reinforcement, wall_punching, zone_punching
 from groundslab.design.tables.reinforcement import reinforcement
 from groundslab.design.tables.structure.beams import beam_reinforcement, beam_table
 from groundslab.design.tables.structure.building import building_table, storey_table
@@ -131,6 +132,8 @@ def _makers(combined: Results) -> dict[str, Callable[[], Table]]:
         makers |= {"columns": columns, "column_envelope": lambda: column_envelope(combined, columns())}
     if model.reinforcement is not None and punching_piles(model):
         makers["pile_punching"] = lambda: errors.with_errors(pile_punching, combined)
+    if model.reinforcement is not None and zone_forces(combined):
+        makers["zone_punching"] = lambda: errors.with_errors(zone_punching, combined)
     if model.reinforcement is not None and loaded_ends(model):
         makers["wall_punching"] = lambda: errors.with_errors(wall_punching, combined)
     if model.reinforcement is not None:

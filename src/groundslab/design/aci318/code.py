@@ -44,6 +44,7 @@ ACI318 = DesignCode(
     punching=PunchingRule(
         at_columns=two_way_columns.at_columns,
         over_piles=two_way_columns.over_piles,
+        around_zones=two_way_columns.around_zones,
         at_walls=wall_ends.at_walls,
         checks=two_way.checks,
         extremes=(("v_u", "MPa"),),

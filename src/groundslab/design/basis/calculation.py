@@ -9,7 +9,9 @@ from typing import Literal
 
 MEGA = 1e6
 #: What pushes at a plate.
-Pushing = Literal["column", "pile"]
+Pushing = Literal["column", "pile", "zone"]
+#: What pushes at a zone.
+ZONE = "force of the columns on the zone, less that of piles below it"
 #: Forces inside this close to each other, over the force that punches, are the same.
 SAME = 1e-9
 #: A symbol in a formula, such as v_Rd,c: a comma that belongs to it is followed by no space.
@@ -49,15 +51,16 @@ def with_numbers(step: Step, known: Mapping[str, float]) -> str:
 def punching_force(
     one: Pushing, symbols: tuple[str, str], parts: tuple[float, float, float, float], V: float, clause: str
 ) -> Iterator[Step]:
-    """Yield what pushes on a perimeter, a column from above or a pile from below, and what relieves it inside.
+    """Yield what pushes on a perimeter, columns from above or a pile from below, and what relieves it inside.
 
     The symbols are those of the force that pushes and of the one that punches, V [N]; parts are the force that pushes,
     other loads, pressure and line force along the plate's edge inside [N]. The line force counts where that makes V.
     """
     own, punching = symbols
     force, others, pressure, edge = parts
-    way, with_loads, with_ground = (1.0, "+", "-") if one == "column" else (-1.0, "-", "+")
-    yield Step(f"force of the {one}", own, force / MEGA, "MN")
+    way, with_loads, with_ground = (-1.0, "-", "+") if one == "pile" else (1.0, "+", "-")
+    words = ZONE if one == "zone" else f"force of the {one}"
+    yield Step(words, own, force / MEGA, "MN")
     yield Step("other loads inside the perimeter", "N_o", others / MEGA, "MN")
     yield Step("pressure of the ground inside", "N_p", pressure / MEGA, "MN")
     formula = f"{own} {with_loads} N_o {with_ground} N_p"

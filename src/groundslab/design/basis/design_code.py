@@ -79,11 +79,11 @@ class ShearRule:
 
 @dataclass(frozen=True, slots=True)
 class PunchingRule:
-    """Punching, or two-way shear, at columns, of the plate over piles, and at ends and corners of walls.
+    """Punching, or two-way shear, at columns, over piles, around thicker zones, and at ends and corners of walls.
 
     Attributes
     ----------
-    at_columns, over_piles, at_walls : callable
+    at_columns, over_piles, around_zones, at_walls : callable
         What tables have of it.
     checks : callable
         Of all combinations: the checks.
@@ -92,7 +92,7 @@ class PunchingRule:
     with_errors : tuple of str
         Those whose values have discretization errors, besides what acts inside a perimeter.
     steps : tuple
-        Of columns, piles and ends of walls the name of the calculations and a callable. Of all combinations and
+        Of columns, piles, zones and ends of walls the name of the calculations and a callable. Of all combinations and
         materials: at which column and in which combination each calculation is, and its steps, the column that uses
         most first.
     links : callable or None
@@ -101,6 +101,7 @@ class PunchingRule:
 
     at_columns: Callable[[Results, Reinforcement], PunchingColumns]
     over_piles: Callable[[Results, Reinforcement], PunchingColumns]
+    around_zones: Callable[[Results, Reinforcement], PunchingColumns]
     at_walls: Callable[[Results, Reinforcement], PunchingColumns]
     checks: Callable[[Results], Iterator[DesignCheck]]
     extremes: Heads
@@ -144,7 +145,7 @@ class DesignCode:
     shear : ShearRule or None
         One-way shear.
     punching : PunchingRule or None
-        Columns, piles and ends of walls that punch the plate.
+        Columns, piles, thicker zones and ends of walls that punch the plate.
     bars_by_steps : callable or None
         Of materials, what a layer of bars needs, and a limit state: the calculation of it.
     beams : BeamRule or None

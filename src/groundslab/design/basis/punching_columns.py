@@ -1,4 +1,4 @@
-"""What the tables of columns and piles have of punching: columns that a code fills, and notes that all codes share."""
+"""What tables have of punching at columns, piles and zones: columns that a code fills, and notes that codes share."""
 
 from __future__ import annotations
 
@@ -19,14 +19,20 @@ INSIDE: Heads = (
 RELIEF = {
     "column": "load + other loads inside - pressure inside",
     "pile": "force + pressure inside + edge line force inside - other loads inside",
+    "zone": "load + other loads inside - pressure inside",
 }
 #: What beams do to it.
 BEAMS = "Other loads inside include the shear forces of beams across the perimeter, upwards negative."
-#: The effective depth of columns and of piles.
+#: What counts of a perimeter that leaves a thicker zone.
+THINNER = "Where the slab is thinner than that, a length of a perimeter counts by the share that it resists there."
+#: The effective depth of columns, of piles and around thicker zones.
 DEPTH = {
     "column": "d is the least thickness under the column less the mean distance of the bottom bars' axes.",
     "pile": "d is the least thickness over the pile less the mean distance of the top bars' axes.",
+    "zone": "d is the largest thickness at the border of the zone less the mean distance of the bottom bars' axes.",
 }
+#: What is around a zone.
+AROUND = "Perimeters run around the zone, or around its hull if it has reentrant corners, by their distance from it."
 _ONE_EDGE = (
     "The line force of the ground along the plate's edge inside is not a pressure: it does not relieve punching, "
     "unless the case sets line_force_relieves; where it pulls, it is added."
@@ -62,7 +68,7 @@ def effective_note(about_center: str) -> str:
 
 
 def edge_note(steel: Reinforcement, support: str) -> str:
-    """Return the effect of the line force along the plate's edge in words, at a "column" or "pile"."""
+    """Return the effect of the line force along the plate's edge in words, at a "column", "pile" or "zone"."""
     if support == "pile":
         return _OVER_EDGE
     return _RELIEVES if steel.line_force_relieves else _ONE_EDGE
@@ -70,7 +76,8 @@ def edge_note(steel: Reinforcement, support: str) -> str:
 
 def missing_notes(missing: Mapping[str, str], support: str) -> tuple[str, ...]:
     """Return why some have no perimeter, by their names, as notes."""
-    return tuple(f"no punching of {support} {name}: {why}" for name, why in missing.items())
+    of = "around" if support == "zone" else f"of {support}"
+    return tuple(f"no punching {of} {name}: {why}" for name, why in missing.items())
 
 
 def cells_inside(force: float, pressure: float, edge: float, others: float) -> list[float | None]:

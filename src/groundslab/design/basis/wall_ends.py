@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, partial
 
 import numpy as np
 
@@ -21,6 +21,7 @@ from groundslab.design.demands.loads.wall_loads import WallLoads, loads_on_wall
 from groundslab.design.demands.perimeter_loads import footprint_of, thickness_at
 from groundslab.design.demands.perimeters import FAR, Openings, outline, shadow_of
 from groundslab.design.demands.wall_perimeters import LoadedArea, WallPerimeters, loaded_area, wall_perimeters
+from groundslab.design.demands.zones.thinner_slab import Share, depth_share, shares_at, thinner_parts
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.model.model import Model
 from groundslab.model.structure.columns import Column
@@ -28,6 +29,8 @@ from groundslab.model.structure.wall_ends import WallEnd, wall_ends
 from groundslab.results.mesh_results import PlateResult
 from groundslab.results.results import CombinationResult, Results
 
+#: What is said where none is judged.
+NO_WALL = "no wall pushes down at an end or corner with slab beyond it"
 #: beta at an end and at a corner of walls (DIN EN 1992-1-1/NA, Figure NA.6.21.1).
 BETA: Mapping[str, float] = {"end": 1.35, "corner": 1.20}
 #: The openings that count, of a slab's thickness and its effective depth [m].
@@ -95,11 +98,16 @@ _SITES: Memo[list[WallSite]] = Memo()
 
 
 def punching_walls(
-    combined: Results, steel: Reinforcement, distances: Array, openings: Reach, most_along: float = np.inf
+    combined: Results,
+    steel: Reinforcement,
+    distances: Array,
+    openings: Reach,
+    most_along: float = np.inf,
+    share: Share = depth_share,
 ) -> Iterator[WallPunching]:
     """Yield what punches at ends and corners of walls at distances over d (k,), in all ultimate combinations.
 
-    Of walls no more than most_along d counts on each side.
+    Of walls no more than most_along d counts on each side, and of perimeters a share in thinner slab.
 
     Of a line force along the plate's edge that does not relieve, the worse of both distributions counts (`edge_strip`).
     """
@@ -107,7 +115,8 @@ def punching_walls(
     if not (model.walls and results):
         return
     first = results[0]
-    sites = _SITES.get(first.plate.nodes, model, lambda: [*_sites(first, steel, distances, openings, most_along)])
+    counts = openings, share
+    sites = _SITES.get(first.plate.nodes, model, lambda: [*_sites(first, steel, distances, counts, most_along)])
     if not sites:
         return
     loads = {wall.name: loads_on_wall(model, wall) for wall in model.placed_walls}
@@ -161,9 +170,10 @@ def _presses(end: WallEnd, loads: Mapping[str, WallLoads], result: CombinationRe
 
 
 def _sites(
-    results: CombinationResult, steel: Reinforcement, distances: Array, openings: Reach, most_along: float
+    results: CombinationResult, steel: Reinforcement, distances: Array, counts: tuple[Reach, Share], most_along: float
 ) -> Iterator[WallSite]:
     """Yield the ends and corners of walls with some plate beyond them."""
+    openings, share = counts
     for end in loaded_ends(results.model):
         x, y = end.place
         plan = outline(plate_under(results, x, y))
@@ -173,7 +183,9 @@ def _sites(
         area, footprint = loaded_area(end, d, most_along), footprint_of(column).footprint()
         far = FAR * (float(distances[-1]) * d + max(column.width_x or 0.0, column.width_y or 0.0))
         shadow = shadow_of(plan, footprint, area.center, openings(thickness, d), far)
-        perimeters = wall_perimeters(results.plate, plan, area, distances * d, shadow)
+        thinner = thinner_parts(results, footprint, thickness, float(distances[-1]) * d)
+        shares = partial(shares_at, parts=thinner, share=share, d=d) if thinner else None
+        perimeters = wall_perimeters(results.plate, plan, area, distances * d, shadow, shares)
         if len(perimeters.distances):
             yield WallSite(area, column, d, perimeters)
 

@@ -72,7 +72,7 @@ def _uplift(combined: Results, made: list[Combination]) -> dict[str, Any]:
     solved = solved_results(combined)
     if combined.model.supports or combined.model.plates or not solved:
         return {}
-    forces = column_loads.sum_of_others(solved[0], outline(solved[0].plate), None)
+    forces = column_loads.sum_of_others(solved[0], outline(solved[0].plate), ())
     ratios = []
     for combination in made:
         parts = [_Part(case, factor, forces.get(case, 0.0)) for case, factor in combination.factors]

@@ -11,37 +11,31 @@ import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING, NamedTuple, TypeVar
+from typing import TYPE_CHECKING, TypeVar
 
 import numpy as np
 
 from groundslab.arrays import Array, Integers, Memo
 from groundslab.design.demands.loads import column_loads
-from groundslab.design.demands.perimeters import SIDE_CHORDS, Footprint, RectangularColumn, RoundColumn
+from groundslab.design.demands.loads.edge_lengths import edge_inside
+from groundslab.design.demands.perimeters import Footprint, RectangularColumn, RoundColumn
 from groundslab.fem import load_vectors
 from groundslab.fem.assembly import scatter
-from groundslab.fem.mesh import SIDES, Mesh, sides_on_boundary
-from groundslab.fem.shape_functions import gauss_line, lagrange
-from groundslab.geometry.places import same_place
+from groundslab.fem.mesh import Mesh
 from groundslab.geometry.plan import FLAT
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.model.model import Model
 from groundslab.model.structure.columns import Column
 from groundslab.model.supports import LineSupport
-from groundslab.results.mesh_results import PlateResult
 from groundslab.results.results import CombinationResult
 
 if TYPE_CHECKING:
     from shapely import LineString, Polygon
 
-#: Parts of the plate's edge that lie so near to a polygon are in it, over the rounding of places.
-ON_EDGE = 2.0
 #: What lies inside a perimeter that runs out to a corner is at most so many times its distance away.
 CORNER_REACH = 1 + math.sqrt(2)
 #: Places so near to each other along a beam [m] are one.
 NEAR_BY = 1e-6
-#: A side is curved if its middle lies off its chord by more than this, over its length.
-CURVED = 1e-9
 
 
 Place = TypeVar("Place")
@@ -64,10 +58,9 @@ def pushing_forces(
         pushing = [result for result in results if punching.pushing(result)[0] > 0]
         if pushing:
             known = kept.get(pushing[0].plate.nodes, model, dict)
-            key = punching.from_below, punching.name
-            if key not in known:
-                known[key] = make(pushing[0], punching)
-            yield punching, known[key], pushing
+            if punching.key not in known:
+                known[punching.key] = make(pushing[0], punching)
+            yield punching, known[punching.key], pushing
 
 
 @dataclass(frozen=True)
@@ -87,6 +80,30 @@ class PunchingForce:
     def from_below(self) -> bool:
         """Return whether it is a pile, which pushes up and has the tension at the top."""
         return self.support is not None
+
+    @property
+    def key(self) -> tuple[bool, str]:
+        """Return what no other has."""
+        return self.from_below, self.name
+
+    @property
+    def columns(self) -> tuple[str, ...]:
+        """Return the names of the columns whose loads its force is."""
+        return () if self.from_below else (self.name,)
+
+    @property
+    def supports(self) -> tuple[int, ...]:
+        """Return the numbers of the supports whose forces are in its force."""
+        return () if self.support is None else (self.support,)
+
+    @property
+    def at_zone(self) -> bool:
+        """Return whether it is a thicker zone of the plate, with what stands on it."""
+        return False
+
+    def edges_within(self, _: float) -> float:
+        """Return how far away edges are that perimeters may run out to if these are shorter [m], by the depth [m]."""
+        return math.inf
 
     @cached_property
     def footprint(self) -> Footprint:
@@ -108,6 +125,14 @@ class PunchingForce:
             return column_loads.factored_sums(results, self.by_case)
         pile = results.supports[self.support]
         return np.array([pile.total, -float(pile.moment_x.sum()), -float(pile.moment_y.sum())])
+
+    def thickness(self, results: CombinationResult) -> float:
+        """Return the thickness of the plate that it punches [m]: the least one under it."""
+        return thickness_at(results, self.footprint)
+
+    def depth(self, results: CombinationResult, steel: Reinforcement) -> float:
+        """Return the effective depth [m], to the mean of the axes of the bars in tension."""
+        return self.thickness(results) - sum(steel.top_axes if self.from_below else steel.bottom_axes) / 2
 
 
 def punching_columns(model: Model) -> tuple[PunchingForce, ...]:
@@ -145,15 +170,9 @@ def thickness_at(results: CombinationResult, footprint: Footprint) -> float:
     return float(results.elements.thickness[elements[covered > 1e-9 * covered.max()]].min())
 
 
-def effective_depth(
-    results: CombinationResult, footprint: Footprint, steel: Reinforcement, *, from_below: bool = False
-) -> float:
-    """Return the least thickness at a footprint less the mean distance of the axes of the bars in tension [m].
-
-    These are the bottom bars under a column, and the top bars above a pile, which pushes from below.
-    """
-    axes = steel.top_axes if from_below else steel.bottom_axes
-    return thickness_at(results, footprint) - sum(axes) / 2
+def effective_depth(results: CombinationResult, footprint: Footprint, steel: Reinforcement) -> float:
+    """Return the least thickness under a footprint less the mean distance of the bottom bars' axes [m]."""
+    return thickness_at(results, footprint) - sum(steel.bottom_axes) / 2
 
 
 @dataclass(frozen=True, slots=True)
@@ -221,7 +240,7 @@ class LoadsNear:
         """Return the loads inside a perimeter by the elements' shares int N dA (k, 9) [m2] of its area."""
         area = scatter(mesh.elements[self.elements], shares, len(mesh.nodes))
         nodes = np.flatnonzero(area)
-        others = column_loads.acting_inside(results, part, None, self.shapes, (self.elements, shares))
+        others = column_loads.acting_inside(results, part, (), self.shapes, (self.elements, shares))
         supported = any(map(part.intersects, self.supports))
         crossings = tuple(_crossings(results.model, part))
         return PerimeterLoads(nodes, area[nodes], *edge_inside(results.plate, part), others, supported, crossings)
@@ -237,9 +256,9 @@ def loads_near(results: CombinationResult, punching: PunchingForce, within: floa
     supports = tuple(
         LineString(support.points) if support.edges else Point(support.points[0])
         for number, support in enumerate(model.supports)
-        if number != punching.support
+        if number not in punching.supports
     )
-    shapes = column_loads.shapes_around(model, part, None if punching.from_below else punching.name)
+    shapes = column_loads.shapes_around(model, part, punching.columns)
     return LoadsNear(load_vectors.find_elements_near(mesh, part), shapes, supports)
 
 
@@ -305,86 +324,3 @@ def _stretches(axis: LineString, part: Polygon) -> list[tuple[float, float]]:
 def _with_moments(forces: Array, places: Array) -> Array:
     """Return the sum of forces (k,) [N] at places (k, 2) [m] and their first moments (3,)."""
     return np.array([forces.sum(), *(forces @ places)])
-
-
-class _Edge(NamedTuple):
-    """The sides of elements along a plate's edge, and boxes around them."""
-
-    sides: Integers  # (s, 3): end, middle, end
-    low: Array  # (s, 2) [m]
-    high: Array  # (s, 2) [m]
-    rounding: float  # places closer than this are one [m]
-
-
-#: Those of plates, by their nodes.
-_EDGES: Memo[_Edge] = Memo()
-
-
-def edge_inside(plate: PlateResult, part: Polygon) -> tuple[Integers, Array]:
-    """Return the nodes (e,) on the plate's edge inside a polygon, and int N ds (e,) [m] over the edge there."""
-    edge = _EDGES.get(plate.nodes, plate.elements, lambda: _edge(plate))
-    x0, y0, x1, y1 = part.bounds
-    (low_x, low_y), (high_x, high_y) = edge.low.T, edge.high.T
-    sides = edge.sides[(low_x <= x1) & (low_y <= y1) & (high_x >= x0) & (high_y >= y0)]
-    total = np.zeros(len(plate.nodes))
-    if len(sides):
-        places = plate.nodes[sides]
-        side, low, high = _intervals(places, part.buffer(ON_EDGE * edge.rounding))
-        np.add.at(total, sides[side], _shares(places[side], low, high))
-    nodes = np.flatnonzero(total)
-    return nodes, total[nodes]
-
-
-def _edge(plate: PlateResult) -> _Edge:
-    sides = _edge_sides(plate)
-    places = plate.nodes[sides]
-    (low_x, low_y), (high_x, high_y) = plate.nodes.min(axis=0), plate.nodes.max(axis=0)
-    return _Edge(sides, places.min(axis=1), places.max(axis=1), same_place(low_x, high_x, low_y, high_y))
-
-
-def _edge_sides(plate: PlateResult) -> Integers:
-    # the border of two sections is no edge: its nodes stand once for each section, at exactly the same place
-    _, same = np.unique(plate.nodes + 0.0, axis=0, return_inverse=True)
-    elements = same.reshape(-1)[plate.elements]
-    on_edge = np.isin(elements[:, SIDES[:, 2]], sides_on_boundary(elements)[:, 2])
-    sides: Integers = plate.elements[:, SIDES][on_edge][:, [0, 2, 1]]
-    return sides
-
-
-def _intervals(x: Array, part: Polygon) -> tuple[Integers, Array, Array]:
-    """Return which of the sides (s, 3, 2) lie inside a polygon (k,), and from where to where in t of -1 to 1 (k,)."""
-    off = np.abs(x[:, 1] - (x[:, 0] + x[:, 2]) / 2).max(axis=1)
-    curved = off > CURVED * np.ptp(x, axis=1).max(axis=1)
-    chords = ((1, np.flatnonzero(~curved)), (SIDE_CHORDS, np.flatnonzero(curved)))
-    found = [(some, *_intervals_of_chords(x[some], part, n)) for n, some in chords if len(some)]
-    side = np.concatenate([some[which] for some, which, _, _ in found])
-    low, high = (np.concatenate([each[i] for each in found]) for i in (2, 3))
-    return side, low, high
-
-
-def _intervals_of_chords(x: Array, part: Polygon, n: int) -> tuple[Integers, Array, Array]:
-    """Return the intervals of sides (s, 3, 2), each followed by n chords, as `_intervals` does."""
-    from shapely import get_coordinates, get_num_coordinates, get_parts, intersection, length, linestrings
-
-    t = np.linspace(-1, 1, n + 1)
-    points = lagrange(t)[0] @ x
-    ends = np.stack([points[:, :-1], points[:, 1:]], axis=2).reshape(-1, 2, 2)
-    pieces, chord = get_parts(intersection(linestrings(ends), part), return_index=True)
-    solid = length(pieces) > 0
-    pieces, chord = pieces[solid], chord[solid]
-    last = np.cumsum(get_num_coordinates(pieces)) - 1
-    first = np.concatenate([[0], last[:-1] + 1])[: len(last)]
-    a, run = ends[chord, 0], ends[chord, 1] - ends[chord, 0]
-    offsets = get_coordinates(pieces)[np.stack([first, last])] - a
-    low, high = np.sort((offsets * run).sum(axis=2) / (run * run).sum(axis=1), axis=0)
-    start, step = t[chord % n], 2 / n
-    return chord // n, start + step * low, start + step * high
-
-
-def _shares(x: Array, low: Array, high: Array) -> Array:
-    """Return int N ds (k, 3) [m] of sides (k, 3, 2) from t = low (k,) to t = high (k,)."""
-    t, weights = gauss_line(3)
-    half = (high - low)[:, None] / 2
-    N, dN = lagrange((low + high)[:, None] / 2 + half * t)
-    ds = np.linalg.norm(dN @ x, axis=2) * weights * half
-    return np.asarray(np.einsum("kp,kpa->ka", ds, N))

@@ -6,6 +6,7 @@ moments are read along the two axes of bars from the middle of the support.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from itertools import pairwise
 
@@ -46,8 +47,13 @@ class PerimeterShear:
         return float(means.max())
 
 
-def perimeter_shear(plate: PlateResult, chain: Array, center: Array, over: float) -> PerimeterShear | None:
-    """Return how shear forces across a chain of places (p, 2) [m] around a center (2,) are read, None off the mesh."""
+def perimeter_shear(
+    plate: PlateResult, chain: Array, center: Array, over: float, factors: Callable[[Array], Array] | None = None
+) -> PerimeterShear | None:
+    """Return how shear forces across a chain of places (p, 2) [m] around a center (2,) are read, None off the mesh.
+
+    They are multiplied by factors at places (k, 2), if some are given.
+    """
     from shapely import box
 
     places = _divided(chain, over * PIECE)
@@ -61,6 +67,8 @@ def perimeter_shear(plate: PlateResult, chain: Array, center: Array, over: float
     ds = np.linalg.norm(run, axis=1)[on]
     across = np.stack([-run[on, 1], run[on, 0]]) / ds
     across = across * np.sign((across * (center[:, None] - middle[on].T)).sum(axis=0))
+    if factors is not None:
+        across = across * factors(middle[on])
     of_nodes = mesh.elements[near[element[on]]]
     nodes, which = unique_integers(of_nodes)
     inward = np.zeros((2, len(ds), len(nodes)))

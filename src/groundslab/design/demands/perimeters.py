@@ -11,11 +11,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import combinations, pairwise
-from typing import TYPE_CHECKING, Literal, NamedTuple
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
 import numpy as np
 
-from groundslab.arrays import Array, Memo
+from groundslab.arrays import Array, Integers, Memo
 from groundslab.design.demands.line_properties import total_length
 from groundslab.errors import InputError, Issue
 from groundslab.fem.mesh import sides_on_boundary
@@ -86,7 +86,19 @@ class RoundColumn:
         return np.eye(2)
 
 
-Footprint = RectangularColumn | RoundColumn
+@dataclass(frozen=True, slots=True)
+class ZoneFootprint:
+    """The footprint of a thicker zone of the plate, which it lies on."""
+
+    region: Polygon
+    axes: Array  # (2, 2): unit vectors along the sides of the smallest rectangle around it
+
+    def footprint(self) -> Polygon:
+        """Return the zone."""
+        return self.region
+
+
+Footprint = RectangularColumn | RoundColumn | ZoneFootprint
 
 
 class Openings(NamedTuple):
@@ -185,7 +197,7 @@ def surroundings(plate: PlateResult, column: Footprint, within: float, openings:
     x0, y0, x1, y1 = plan.bounds
     rounding = same_place(x0, x1, y0, y1)
     if footprint.area == 0 or not plan.buffer(rounding).covers(footprint):
-        where = f"a column at {format_place((column.x, column.y))} m"
+        where = f"a column at {format_place(get_coordinates(footprint.centroid)[0])} m"
         raise InputError([Issue("column", where, "a footprint that lies on the plate")])
     a0, b0, a1, b1 = footprint.bounds
     reach = 3 * (within + max(a1 - a0, b1 - b0))
@@ -283,13 +295,19 @@ def way_around(around: Surroundings, region: Polygon) -> Array:
 
 def outside(legs: Array, region: BaseGeometry) -> Array:
     """Return the parts (k, 2, 2) of legs (l, 2, 2) outside a region, each in the direction of its leg."""
-    from shapely import difference, get_coordinates, get_parts, linestrings
+    from shapely import difference, linestrings
 
-    if region.is_empty:
-        return legs
-    parts, leg = get_parts(difference(linestrings(legs), region), return_index=True)
-    ends = np.array([get_coordinates(part)[[0, -1]] for part in parts if not part.is_empty]).reshape(-1, 2, 2)
-    leg = leg[[not part.is_empty for part in parts]]
+    return legs if region.is_empty else directed(legs, difference(linestrings(legs), region))
+
+
+def directed(legs: Array, parts_of_each: np.typing.NDArray[Any]) -> Array:
+    """Return parts (k, 2, 2) of legs (l, 2, 2) by what is left of each (l,), in the direction of its leg."""
+    from shapely import get_coordinates, get_parts, length
+
+    parts, leg = get_parts(parts_of_each, return_index=True)
+    solid = length(parts) > 0
+    leg = leg[solid]
+    ends = np.array([get_coordinates(part)[[0, -1]] for part in parts[solid]]).reshape(-1, 2, 2)
     along = ((ends[:, 1] - ends[:, 0]) * (legs[leg, 1] - legs[leg, 0])).sum(axis=1)
     return np.where(along[:, None, None] >= 0, ends, ends[:, ::-1])
 
@@ -300,17 +318,18 @@ _OUTLINES: Memo[Polygon | MultiPolygon] = Memo()
 
 def outline(plate: PlateResult) -> Polygon | MultiPolygon:
     """Return the plate in plan, its openings as holes, curved sides as chords."""
-    return _OUTLINES.get(plate.nodes, plate.elements, lambda: _outline(plate))
+    return _OUTLINES.get(plate.nodes, plate.elements, lambda: area_of(plate.nodes, plate.elements))
 
 
-def _outline(plate: PlateResult) -> Polygon | MultiPolygon:
+def area_of(nodes: Array, elements: Integers) -> Polygon | MultiPolygon:
+    """Return the area in plan of elements (m, 9) with places of nodes (n, 2) [m], curved sides as chords."""
     from shapely import build_area, linestrings, multilinestrings
 
     # the border of two sections is no edge: its nodes stand once for each section, at exactly the same place
-    _, first, same = np.unique(plate.nodes + 0.0, axis=0, return_index=True, return_inverse=True)
-    sides = first[sides_on_boundary(same.reshape(-1)[plate.elements])]
+    _, first, same = np.unique(nodes + 0.0, axis=0, return_index=True, return_inverse=True)
+    sides = first[sides_on_boundary(same.reshape(-1)[elements])]
     N, _ = lagrange(np.linspace(-1, 1, SIDE_CHORDS + 1))
-    curves = np.einsum("ta,sax->stx", N, plate.nodes[sides][:, [0, 2, 1]])
+    curves = np.einsum("ta,sax->stx", N, nodes[sides][:, [0, 2, 1]])
     return build_area(multilinestrings(linestrings(curves)))
 
 

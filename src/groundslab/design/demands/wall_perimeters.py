@@ -11,6 +11,7 @@ does not show, is left out: there both walls share what the slab carries, and th
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -155,11 +156,17 @@ class WallPerimeters:
 
 
 def wall_perimeters(
-    plate: PlateResult, plan: Polygon | MultiPolygon, area: LoadedArea, distances: Array, shadow: BaseGeometry
+    plate: PlateResult,
+    plan: Polygon | MultiPolygon,
+    area: LoadedArea,
+    distances: Array,
+    shadow: BaseGeometry,
+    shares: Callable[[Array, float], Array] | None = None,
 ) -> WallPerimeters:
     """Return the perimeters at distances [m] that run around the end or the corner on the plan of the plate.
 
-    What lies in the shadow of openings does not count in their lengths.
+    What lies in the shadow of openings does not count in their lengths; at places (n, 2) of a perimeter at a distance
+    shares count, if they are given.
     """
     from shapely import box, contains_xy, prepare
 
@@ -177,7 +184,11 @@ def wall_perimeters(
     turns = np.concatenate([each.turns for each in courses])
     of_turns, there = (np.bincount(number[some], minlength=len(courses)) for some in (turns, turns & on))
     u = np.zeros(len(courses))
-    np.add.at(u, number[counted], np.linalg.norm(run[counted], axis=1))
+    length = np.linalg.norm(run, axis=1)
+    if shares is not None:
+        for k, distance in enumerate(distances):
+            length[number == k] *= shares(middle[number == k], float(distance))
+    np.add.at(u, number[counted], length[counted])
     kept = np.flatnonzero((there >= LEAST_TURNED * of_turns) & (u > 0))
     of_nodes = mesh.elements[near[found[on]]]
     nodes, which = unique_integers(of_nodes)

@@ -62,7 +62,7 @@ def marked_links(links: Sequence[LinkLayout], listed: Sequence[Position]) -> dic
 def _link_row(layout: LinkLayout, mark: int, area: float) -> list[Cell]:
     """Return the row of the links around one column, pile or end of a wall."""
     return [
-        mark, LINKS, f"{layout.support} {layout.name}", None, "leg", layout.diameter * MM, None, layout.number,
+        mark, LINKS, layout.where, None, "leg", layout.diameter * MM, None, layout.number,
         layout.leg, layout.leg, None, layout.total, layout.mass, layout.mass / area,
     ]  # fmt: skip
 

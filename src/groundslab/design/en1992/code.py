@@ -41,6 +41,7 @@ EN1992 = DesignCode(
     punching=PunchingRule(
         at_columns=punching_columns.at_columns,
         over_piles=punching_columns.over_piles,
+        around_zones=punching_columns.around_zones,
         at_walls=wall_ends.at_walls,
         checks=punching.checks,
         extremes=(("v_Ed", "MPa"), ("v_Ed / v_Rd", ""), ("v_Ed at the face", "MPa")),

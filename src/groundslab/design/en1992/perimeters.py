@@ -9,6 +9,10 @@ Figure 6.15 do, each longer by the setback s; the shortest of these lengths coun
 
 It is the clause's at s = 0, grows by 2 s, and is the whole periphery where 2 s reaches 2 c_1 + c_2 - min(3 d, 2 c_1):
 nothing jumps. What lies between the tangents to openings does not count (6.4.2(3)).
+
+The clause has no perimeter partly in a thinner slab, of depth d_t, such as one that leaves a thicker zone. There a
+length counts by what the slab resists, v_Rd,c max(1, 2 d_t / a) d_t, over that at the column, v_Rd,c (2 d / a) d.
+v_Rd,c is not less in a thinner slab with the same bars, and its growth is left out.
 """
 
 from __future__ import annotations
@@ -38,6 +42,15 @@ CORNER = 0.9
 def openings(d: float) -> Openings:
     """Return the openings that count for an effective depth d [m], with the width of Figure 6.14."""
     return Openings(OPENING_REACH * d, widened=True)
+
+
+def share_of_thinner(by: float, a: float, d: float) -> float:
+    """Return the share of a perimeter's length that counts in slab thinner by some [m], at a from the face [m].
+
+    d is the effective depth at the column [m]. It is max(a, 2 d_t) d_t / (2 d^2), d_t = d - by, by 6.4.4(2).
+    """
+    d_t = max(0.0, d - by)
+    return max(a, 2 * d_t) * d_t / (2 * d**2)
 
 
 def face_length(around: Surroundings, d: float) -> float:

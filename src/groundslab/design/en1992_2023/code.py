@@ -38,6 +38,7 @@ EN1992_2023 = DesignCode(
     punching=PunchingRule(
         at_columns=punching_columns.at_columns,
         over_piles=punching_columns.over_piles,
+        around_zones=punching_columns.around_zones,
         at_walls=wall_ends.at_walls,
         checks=punching.checks,
         extremes=(("tau_Ed", "MPa"), ("tau_Ed / tau_Rd,c", "")),

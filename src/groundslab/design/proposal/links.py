@@ -13,7 +13,7 @@ from groundslab.results.results import Results
 
 @made_once
 def punching_links(combined: Results) -> tuple[LinkLayout, ...]:
-    """Return links in perimeters around each column, pile and end of a wall that needs them.
+    """Return links in perimeters around each column, pile, zone and end of a wall that needs them.
 
     Their diameter is that of ``reinforcement.proposal.link_diameters`` with the least steel; legs are as long as the
     covers of both faces leave of the thickness, and keep off edges and openings by the larger cover.

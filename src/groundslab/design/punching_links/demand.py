@@ -1,4 +1,4 @@
-"""What a code asks of links where a slab is punched: perimeters around a column, pile or end of a wall."""
+"""What a code asks of links where a slab is punched: perimeters around a column, pile, zone or end of a wall."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 #: Distances of perimeters are multiples of this [m].
 STEP = 0.005
 
-Support = Literal["column", "pile", "wall end"]
+Support = Literal["column", "pile", "zone", "wall end"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,7 +53,7 @@ class Arrangement:
 
 @dataclass(frozen=True, slots=True)
 class LinkDemand:
-    """A column, pile or end of a wall that needs links, and how they may be arranged, or why they may not."""
+    """A column, pile, zone or end of a wall that needs links, and how they may be arranged, or why they may not."""
 
     support: Support
     name: str

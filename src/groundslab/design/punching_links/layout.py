@@ -56,12 +56,12 @@ class LinkPerimeter:
 
 @dataclass(frozen=True, slots=True)
 class LinkLayout:
-    """The links around a column, pile or end of a wall, or why there are none.
+    """The links around a column, pile, thicker zone or end of a wall, or why there are none.
 
     Attributes
     ----------
     support, name : str
-        "column", "pile" or "wall end", and which.
+        "column", "pile", "zone" or "wall end", and which.
     place : tuple of float
         Where it is [m].
     combination : str
@@ -87,6 +87,11 @@ class LinkLayout:
     leg: float = 0.0
     perimeters: tuple[LinkPerimeter, ...] = ()
     why: str = ""
+
+    @property
+    def where(self) -> str:
+        """Return what it is around, in words."""
+        return self.name if self.support == "zone" else f"{self.support} {self.name}"
 
     @property
     def number(self) -> int:

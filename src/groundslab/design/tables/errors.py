@@ -53,6 +53,7 @@ VALUES: dict[str, tuple[str, ...]] = {
     ),
     "pile_punching": ("force", *_PUNCHING),
     "wall_punching": _PUNCHING,
+    "zone_punching": ("load", *_PUNCHING),
     "reinforcement": ("required area", "design moment"),
     "beam_reinforcement": ("required area", "required links", "moment", "shear force"),
 }  # fmt: skip

@@ -1,4 +1,4 @@
-"""What tables have of punching, by the code of the case: at columns, over piles, and at ends and corners of walls."""
+"""What tables have of punching, by the code of the case: at columns, over piles, around zones, and at walls' ends."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ from groundslab.design.basis.punching_columns import NO_COLUMNS, Heads, Punching
 from groundslab.design.basis.wall_ends import loaded_ends
 from groundslab.design.codes import code_of
 from groundslab.design.demands.perimeter_loads import punching_piles
+from groundslab.design.demands.zones.thicker_zones import zone_forces
 from groundslab.design.proposal.links import punching_links
 from groundslab.design.punching_links.layout import LinkLayout
 from groundslab.design.tables.table import Cell, Table, table_of
@@ -49,8 +50,32 @@ def pile_punching(combined: Results) -> Table:
     return table_of("pile_punching", "Punching over piles", heads, rows, punched.notes)
 
 
+def zone_punching(combined: Results) -> Table:
+    """Return the demand of punching around each thicker zone with columns on it in each ultimate combination."""
+    steel = combined.model.reinforcement
+    assert steel is not None
+    rule = code_of(steel).punching
+    punched = NO_COLUMNS if rule is None else rule.around_zones(combined, steel)
+    rows: list[list[Cell]] = [
+        [
+            result.combination,
+            zone.name,
+            ", ".join(zone.columns),
+            *zone.place,
+            float(zone.pushing(result)[0]) / 1e3,
+            *punched.cells(result.combination, zone.name),
+        ]
+        for result in ultimate_results(combined)
+        for zone in zone_forces(combined)
+    ]
+    heads = [
+        ("combination", ""), ("zone", ""), ("columns", ""), ("x", "m"), ("y", "m"), ("load", "kN"), *punched.heads,
+    ]  # fmt: skip
+    return table_of("zone_punching", "Punching around thicker zones", heads, rows, punched.notes)
+
+
 def shear_reinforcement(combined: Results) -> Table:
-    """Return the links around each column, pile and end of a wall that needs them, perimeter by perimeter."""
+    """Return the links around each column, pile, zone and end of a wall that needs them, perimeter by perimeter."""
     layouts = punching_links(combined)
     heads = [
         ("support", ""), ("name", ""), ("perimeter", ""), ("distance from face", "m"), ("length", "m"), ("legs", ""),
@@ -75,7 +100,7 @@ def shear_reinforcement(combined: Results) -> Table:
 
 
 def _link_rows(layout: LinkLayout) -> Iterator[list[Cell]]:
-    """Yield the rows of what links one column, pile or end of a wall has, or the one that says why it has none."""
+    """Yield the rows of what links a column, pile, zone or end of a wall has, or the one that says why it has none."""
     start: list[Cell] = [layout.support, layout.name]
     end: list[Cell] = [*layout.place, layout.combination]
     if not layout.perimeters:

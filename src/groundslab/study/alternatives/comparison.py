@@ -43,7 +43,7 @@ class DesignAlternative:
     links : float or None
         Mass of the links against punching that are needed [kg]; None where no layout bears punching.
     places_of_links : int
-        Number of columns, piles and ends of walls that need links.
+        Number of columns, piles, thicker zones and ends of walls that need links.
     utilizations : dict of str to float
         The largest utilization of each kind of check.
     settlement : float
@@ -223,9 +223,8 @@ def _measure(proposal: Proposal, text: str, results: Results, remarks: tuple[str
         places_of_links=len(layouts),
         utilizations=_utilizations(design),
         settlement=max(float(each.plate.settlement.max()) for each in results.results.values()),
-        status="attention" if proposal.notes and design.status == "no failure found" else design.status,
+        status=design.status,
         notes=(
-            *proposal.notes,
             *remarks,
             *(f"no links at {layout.name}: {layout.why}" for layout in layouts if not layout.perimeters),
         ),

@@ -25,9 +25,8 @@ STEPS: dict[System, float] = {"SI": 0.05, "US": 2 * INCH}
 SHARE = 0.1
 #: Numbers of steps that are tried.
 STEP_COUNTS = (-1, 1, 2)
-#: The first words of what is told of drop panels, and what is not checked of them.
+#: The first words of what is told of drop panels.
 PANELS = "Drop panels"
-BEYOND_PANELS = "punching of the slab around drop panels is not checked (EN 1992-1-1 6.4.2(8), ACI 318-19 22.6.4.1)"
 #: Drop panels are so many steps thicker than the slab.
 PANEL_STEPS = 2
 #: How far drop panels reach beyond the column's faces, in terms of their thickness: the perimeter at 2 d is inside.
@@ -44,12 +43,11 @@ Bounds = tuple[float, float, float, float]
 
 @dataclass(frozen=True, slots=True)
 class Proposal:
-    """What an alternative changes: keys of a file and their new values; what a reader must know of it."""
+    """What an alternative changes: keys of a file and their new values."""
 
     name: str
     words: str
     edits: tuple[tuple[Path, Any], ...] = ()
-    notes: tuple[str, ...] = ()
 
 
 def thickness_step(model: Model) -> float:
@@ -91,7 +89,6 @@ def drop_panels(results: Results, data: dict[str, Any]) -> Proposal | None:
         f"drop panels, {shown}",
         f"{PANELS} {shown} thicker than the slab, at {names}",
         tuple(_add_zones(data, panels)),
-        (BEYOND_PANELS,),
     )
 
 

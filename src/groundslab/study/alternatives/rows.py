@@ -54,7 +54,7 @@ def _quantities(comparison: DesignComparison) -> Iterator[ComparedRow]:
         shown = tuple(NOT_ENOUGH if bad else cell for cell, bad in zip(masses.cells, lacking, strict=True))
         yield ComparedRow(masses.label, masses.unit, shown, lacking)
         counts = tuple(str(each.places_of_links) for each in alternatives)
-        yield ComparedRow("columns, piles, walls with links", "", counts, (False,) * len(counts))
+        yield ComparedRow("columns, piles, zones, walls with links", "", counts, (False,) * len(counts))
     yield _amounts("largest settlement", "mm", comparison, [1e3 * each.settlement for each in alternatives])
 
 

@@ -21,7 +21,7 @@ MOST_COLUMNS = 11
 MOST_ROWS = 24
 LONG = {
     "acting", "extremes", "envelope", "points", "soil", "lines", "strips", "supports", "columns", "pile_punching",
-    "wall_punching", "shear_reinforcement",
+    "wall_punching", "zone_punching", "shear_reinforcement",
 }  # fmt: skip
 #: Tables that have no extremes, or whose extremes are in other parts of the report.
 ELSEWHERE = {"acting", "extremes", "envelope", "columns", "shear_reinforcement"}
@@ -34,8 +34,8 @@ ERRORS = "Below each value: its estimated discretization error, as a share of it
 #: So many columns at the left of a table say which row it is.
 KEYS = {
     "combinations": 1, "extremes": 3, "envelope": 3, "tilt": 1, "points": 4, "soil": 5, "lines": 6, "strips": 5,
-    "supports": 3, "columns": 2, "column_envelope": 2, "pile_punching": 2, "wall_punching": 3, "reinforcement": 1,
-    "shear_reinforcement": 3,
+    "supports": 3, "columns": 2, "column_envelope": 2, "pile_punching": 2, "wall_punching": 3, "zone_punching": 2,
+    "reinforcement": 1, "shear_reinforcement": 3,
 }  # fmt: skip
 
 

@@ -10,7 +10,7 @@ from shapely import box
 
 import groundslab as gs
 from groundslab.design.demands.loads.column_loads import acting_inside, shapes_around
-from groundslab.design.demands.perimeter_loads import edge_inside
+from groundslab.design.demands.loads.edge_lengths import edge_inside
 from groundslab.design.punching import RectangularColumn, demand
 from groundslab.fem.mesh import Mesh
 from groundslab.meshing.refinement import split
@@ -112,9 +112,9 @@ def test_loads_beside_a_part_are_left_out() -> None:
         combinations=[{"name": "all", "limit_state": "ultimate", "factors": {"G": 1, "Q": 1, "far": 1}}],
     )
     results, part = gs.solve(model)["all"], box(-1, -1, 1, 0.2)
-    shapes = shapes_around(model, part, None)
+    shapes = shapes_around(model, part, ())
     assert [case for case, _ in shapes] == ["G", "G", "Q", "Q"]
-    inside = acting_inside(results, part, None, shapes)
+    inside = acting_inside(results, part, (), shapes)
     # of the line's width 0.1 m is in the part
     assert inside["G"] == pytest.approx([2e3 * 2.4 + 30e3 * 2 * 0.1 / 0.6, 0, 2e3 * 2.4 * -0.4 + 30e3 * 2 / 6 * 0.15])
     assert inside["Q"] == pytest.approx([7e3 + 240, 3.5e3 + 240 * 0.9, -3.5e3 + 240 * -0.4])

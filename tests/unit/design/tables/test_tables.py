@@ -340,7 +340,7 @@ def test_loads_on_a_part() -> None:
         {"kind": "point", "P": 1e6, "column": "A", "case": "Q"},
     ]
     model = described(loads=loads, columns=COLUMNS[:1])
-    found = column_loads.sum_of_others(results(n=6, model=model), box(-1, -1, 1, 1), "A")
+    found = column_loads.sum_of_others(results(n=6, model=model), box(-1, -1, 1, 1), ("A",))
     # q bends: int 300 x^2 dA = 400 N
     assert found["G"] == pytest.approx(1e3 * 4 + 400 + 25e3 * 0.4 * 4)
     # half of the footprint: its half of P, and of the moment int_0^0.5 12 M x dx = 1.5 M, taken off on the left

@@ -67,7 +67,7 @@ def test_ground_and_supports_carry_all_that_acts(kind: str) -> None:
     scale = max(force, *moments, 1e3)
     assert carried.sum() + support.total == pytest.approx(force, abs=1e-6 * scale)
     np.testing.assert_allclose(carried @ results.plate.nodes, moments, atol=1e-6 * scale)
-    (whole,) = sum_of_others(results, shapely.box(-3, -2, 3, 2), "").values()
+    (whole,) = sum_of_others(results, shapely.box(-3, -2, 3, 2), ()).values()
     assert whole == pytest.approx(force, rel=1e-9)
 
 

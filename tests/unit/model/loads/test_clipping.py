@@ -284,5 +284,5 @@ def test_loads_around_a_column_are_those_on_the_plate() -> None:
     )
     results = solve(loaded.replace(mesh=Mesh(size=0.5), contact={"tensionless": False})).only
     part = shapely.box(2, 0, 3, 2)
-    force = column_loads.sum_of_others(results, part, "")
+    force = column_loads.sum_of_others(results, part, ())
     assert force[""] == pytest.approx(1e3 * (math.pi / 2 + math.pi / 4), rel=1e-6)

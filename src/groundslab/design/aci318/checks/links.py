@@ -23,14 +23,16 @@ from groundslab.design.aci318.checks.two_way_demand import (
     section_at,
     strength,
     two_way,
+    zone_two_way,
 )
 from groundslab.design.aci318.checks.wall_ends import wall_two_way
 from groundslab.design.aci318.materials import PHI_SHEAR
 from groundslab.design.basis.combinations import ultimate_results
 from groundslab.design.basis.wall_ends import loaded_ends
 from groundslab.design.by_plate import plate_under
-from groundslab.design.demands.perimeter_loads import PunchingForce, punching_columns, punching_piles, thickness_at
+from groundslab.design.demands.perimeter_loads import PunchingForce, punching_columns, punching_piles
 from groundslab.design.demands.perimeters import Surroundings, perimeter_at, surroundings
+from groundslab.design.demands.zones.thicker_zones import zone_forces
 from groundslab.design.punching_links.demand import Arrangement, LinkDemand, LinkRow, Support, rounded_down
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.results import CombinationResult, Results
@@ -45,13 +47,14 @@ CLAUSES = "ACI 318-19 22.6.7, 8.7.6"
 
 
 def links(combined: Results, steel: Reinforcement) -> Iterator[LinkDemand]:
-    """Yield the columns, piles and ends of walls that need stirrups, with their perimeters, or why they do not help."""
+    """Yield the columns, piles, zones and walls' ends that need stirrups, with perimeters, or why they do not help."""
     results = ultimate_results(combined)
     if not results:
         return
     model = combined.model
     yield from _of_forces(results, steel, "column", punching_columns(model), two_way(combined)[0])
     yield from _of_forces(results, steel, "pile", punching_piles(model), pile_two_way(combined)[0])
+    yield from _of_forces(results, steel, "zone", zone_forces(combined), zone_two_way(combined)[0])
     if loaded_ends(model):
         known = wall_two_way(combined)
         for name in dict.fromkeys(name for _, name in known):
@@ -74,7 +77,7 @@ def _of_forces(
     forces: Sequence[PunchingForce],
     known: Mapping[tuple[str, str], TwoWay],
 ) -> Iterator[LinkDemand]:
-    """Yield the columns or piles that need stirrups."""
+    """Yield the columns, piles or zones that need stirrups."""
     for punching in forces:
         found = {pair: demand for pair, demand in known.items() if pair[1] == punching.name and not demand.supported}
         needing = [demand for demand in found.values() if demand.v_u > strength(demand, steel)]
@@ -99,7 +102,7 @@ def _arrangement(
     plate = plate_under(first, *punching.place)
     around = surroundings(plate, punching.footprint, (count + 1) * s, openings_of(first, punching))
     options = _options([LinkRow((n + 1) * s, area, ALONG * d) for n in range(count)], d)
-    return Arrangement(thickness_at(first, punching.footprint), options, partial(_legs, around), around.plan)
+    return Arrangement(punching.thickness(first), options, partial(_legs, around), around.plan)
 
 
 def _legs(around: Surroundings, distance: float) -> Array:

@@ -1,4 +1,4 @@
-"""Two-way shear by ACI 318-19 22.6 at columns, over piles and at ends of walls, at d / 2 from their faces."""
+"""Two-way shear by ACI 318-19 22.6 at columns, over piles, around zones and at ends of walls, at d / 2 from faces."""
 
 from __future__ import annotations
 
@@ -6,13 +6,21 @@ from collections.abc import Iterator, Mapping
 
 from groundslab.design.aci318 import punching as aci318
 from groundslab.design.aci318.case_materials import materials
-from groundslab.design.aci318.checks.two_way_demand import TwoWay, pile_two_way, strength, two_way
+from groundslab.design.aci318.checks.two_way_demand import (
+    CUT,
+    TwoWay,
+    pile_two_way,
+    strength,
+    two_way,
+    zone_two_way,
+)
 from groundslab.design.aci318.checks.wall_ends import wall_two_way
 from groundslab.design.aci318.materials import PHI_SHEAR
 from groundslab.design.basis.check import DesignCheck, Status
 from groundslab.design.basis.demand_errors import error_of_ratio, scaled
-from groundslab.design.basis.wall_ends import loaded_ends
+from groundslab.design.basis.wall_ends import NO_WALL, loaded_ends
 from groundslab.design.demands.perimeter_loads import punching_piles
+from groundslab.design.demands.zones.thicker_zones import NONE, zone_forces
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.results import Results
 
@@ -22,11 +30,16 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
     steel = combined.model.reinforcement
     assert steel is not None
     if combined.model.columns:
-        yield from _checks(steel, two_way(combined), "two-way shear", ("column", "down"))
+        yield from _checks(steel, two_way(combined), "two-way shear", ("column", "no column pushes down"))
     if punching_piles(combined.model):
-        yield from _checks(steel, pile_two_way(combined), "two-way shear over piles", ("pile", "up"))
+        yield from _checks(steel, pile_two_way(combined), "two-way shear over piles", ("pile", "no pile pushes up"))
+    if zone_forces(combined):
+        known, missing = zone_two_way(combined)
+        # where a zone reaches from edge to edge, one-way shear is checked beside it
+        missing = {name: why for name, why in missing.items() if why != CUT}
+        yield from _checks(steel, (known, missing), "two-way shear around thicker zones", ("thicker zone", NONE))
     if loaded_ends(combined.model):
-        yield from _checks(steel, (wall_two_way(combined), {}), "two-way shear at walls' ends", ("wall end", "down"))
+        yield from _checks(steel, (wall_two_way(combined), {}), "two-way shear at walls' ends", ("wall end", NO_WALL))
 
 
 def _checks(
@@ -37,7 +50,7 @@ def _checks(
 ) -> Iterator[DesignCheck]:
     """Yield the check of columns that push down, or piles that push up, and which of them it leaves out."""
     known, missing = demands
-    one, way = pushing
+    one, none = pushing
     judged = [demand for demand in known.values() if not demand.supported]
     unjudged = sorted({demand.name for demand in known.values() if demand.supported} | missing.keys())
     if judged:
@@ -46,7 +59,7 @@ def _checks(
         error = error_of_ratio((demand.v_u, strength(demand, steel), demand.error) for demand in beside)
         yield _worst(worst, steel, name, scaled(error, strength(worst, steel) / 1e6))
     elif not unjudged:
-        yield DesignCheck(name, "no failure found", f"no {one} pushes {way}")
+        yield DesignCheck(name, "no failure found", none)
     if unjudged:
         listed = ", ".join(unjudged[:5]) + (" ..." if len(unjudged) > 5 else "")
         words = f"not judged, with a support inside or no critical section on the plate: {one}s {listed}"

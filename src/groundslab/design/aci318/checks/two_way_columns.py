@@ -4,12 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from groundslab.design.aci318.checks.two_way_demand import TwoWay, pile_two_way, strength, two_way
+from groundslab.design.aci318.checks.two_way_demand import (
+    TwoWay,
+    pile_two_way,
+    strength,
+    two_way,
+    zone_two_way,
+)
 from groundslab.design.basis.punching_columns import (
+    AROUND,
     BEAMS,
     DEPTH,
     INSIDE,
     RELIEF,
+    THINNER,
     Heads,
     PunchingColumns,
     cells_inside,
@@ -33,6 +41,11 @@ def over_piles(combined: Results, steel: Reinforcement) -> PunchingColumns:
     return _columns(combined, steel, pile_two_way(combined), "pile")
 
 
+def around_zones(combined: Results, steel: Reinforcement) -> PunchingColumns:
+    """Return two-way shear around thicker zones whose columns push down."""
+    return _columns(combined, steel, zone_two_way(combined), "zone")
+
+
 def _columns(
     combined: Results,
     steel: Reinforcement,
@@ -47,7 +60,8 @@ def _columns(
         "Other supports inside are not counted.",
         effective_note("J_c"),
         edge_note(steel, support),
-        DEPTH[support],
+        f"{DEPTH[support]} {THINNER}",
+        *((AROUND,) if support == "zone" else ()),
         *((BEAMS,) if combined.model.beams else ()),
     )
     return PunchingColumns(

@@ -1,12 +1,10 @@
-"""What punches at columns and piles in each ultimate combination by ACI 318-19 22.6 and 8.4.4.2, at d / 2 from them."""
+"""What punches at columns, piles and zones in ultimate combinations by ACI 318-19 22.6 and 8.4.4.2, at d / 2."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from functools import partial
-
-import numpy as np
 
 from groundslab.arrays import Array, Memo, made_once
 from groundslab.design.aci318 import punching as aci318
@@ -18,10 +16,14 @@ from groundslab.design.by_plate import plate_under
 from groundslab.design.demands import line_properties, perimeter_loads
 from groundslab.design.demands.perimeter_loads import PerimeterLoads, PunchingForce, PunchingShear
 from groundslab.design.demands.perimeters import Openings, Perimeter, perimeter
+from groundslab.design.demands.zones.thicker_zones import zone_forces
+from groundslab.design.demands.zones.thinner_slab import counted, depth_share, thinner_parts
 from groundslab.errors import InputError
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.results import CombinationResult, Results
 
+#: Why there is no critical section.
+CUT = "its critical section cuts the slab from edge to edge, which is one-way shear"
 #: An opening counts if it is closer than this to the column, over the slab's thickness (22.6.4.3).
 OPENING_REACH = 4.0
 
@@ -56,6 +58,7 @@ class CriticalSection:
 
     d: float  # effective depth [m]
     line: Perimeter
+    legs: Array  # (l, 2, 2): what counts of its sides, in thinner slab by the depth there [m]
     center: Array  # (2,): of the sides that count [m]
     axes: Array  # (2, 2): unit vectors of the column's own axes
     beta: float
@@ -77,6 +80,12 @@ def two_way(combined: Results) -> tuple[dict[tuple[str, str], TwoWay], Mapping[s
 def pile_two_way(combined: Results) -> tuple[dict[tuple[str, str], TwoWay], Mapping[str, str]]:
     """Return the demands by combination and pile, at piles that push up, and why piles have none."""
     return _two_way(combined, perimeter_loads.punching_piles(combined.model))
+
+
+@made_once
+def zone_two_way(combined: Results) -> tuple[dict[tuple[str, str], TwoWay], Mapping[str, str]]:
+    """Return the demands by combination and thicker zone with columns on it (22.6.4.1(b)), and why zones have none."""
+    return _two_way(combined, zone_forces(combined))
 
 
 def _two_way(
@@ -103,7 +112,7 @@ def critical_section(
     results: CombinationResult, punching: PunchingForce, steel: Reinforcement
 ) -> CriticalSection | str:
     """Return the critical section at d / 2 from a column's or pile's faces, or why there is none."""
-    d = perimeter_loads.effective_depth(results, punching.footprint, steel, from_below=punching.from_below)
+    d = punching.depth(results, steel)
     return section_at(results, punching, d, d / 2)
 
 
@@ -118,22 +127,24 @@ def section_at(
     openings = openings_of(results, punching)
     try:
         plate = plate_under(results, *punching.place)
-        line = perimeter(plate, footprint, distance, openings, square=square, near=np.inf)
+        line = perimeter(plate, footprint, distance, openings, square=square, near=punching.edges_within(d))
     except InputError as error:
         return str(error)
     shape = line_properties.shape_of(line.whole)
     if shape == "cut":
-        return "its critical section cuts the slab from edge to edge, which is one-way shear"
+        return CUT
     column = punching.column
     sides = column.width_x or 1.0, column.width_y or 1.0  # a round column has none, and beta = 1
     loads = perimeter_loads.loads_near(results, punching, distance).inside(results, line.inside)
-    center = line_properties.centroid(line.legs)
-    return CriticalSection(d, line, center, footprint.axes, max(sides) / min(sides), aci318.ALPHA_S[shape], loads)
+    thinner = thinner_parts(results, footprint.footprint(), punching.thickness(results), distance)
+    legs = counted(line.legs, thinner, depth_share, distance, d)
+    center = line_properties.centroid(legs)
+    return CriticalSection(d, line, legs, center, footprint.axes, max(sides) / min(sides), aci318.ALPHA_S[shape], loads)
 
 
 def openings_of(results: CombinationResult, punching: PunchingForce) -> Openings:
     """Return which openings shorten the sections around a column or pile (22.6.4.3)."""
-    return Openings(OPENING_REACH * perimeter_loads.thickness_at(results, punching.footprint))
+    return Openings(OPENING_REACH * punching.thickness(results))
 
 
 def demand_on(
@@ -147,7 +158,7 @@ def demand_on(
         results.combination,
         float(punching.pushing(results)[0]),
         section.d,
-        section.line.u,
+        line_properties.total_length(section.legs),
         section.beta,
         section.alpha_s,
         shear.V,
@@ -174,7 +185,7 @@ def _shear(
 
 def _transfer(shear: PunchingShear, section: CriticalSection) -> aci318.Transfer:
     """Return what makes v_u on a critical section."""
-    return aci318.transfer(shear.V, shear.moments, section.line.legs, section.d, section.line.whole, section.axes)
+    return aci318.transfer(shear.V, shear.moments, section.legs, section.d, section.line.whole, section.axes)
 
 
 def strength(demand: TwoWay, steel: Reinforcement) -> float:

@@ -1,4 +1,4 @@
-"""Two-way shear by ACI 318-19 at columns, piles and ends of walls, step by step, as it can be followed by hand.
+"""Two-way shear by ACI 318-19 at columns, piles, zones and ends of walls, step by step, as it can be followed by hand.
 
 Every value is that of the check; formulas stand beside the functions that compute it.
 """
@@ -12,10 +12,16 @@ import numpy as np
 from groundslab.design.aci318 import punching as aci318
 from groundslab.design.aci318.case_materials import materials
 from groundslab.design.aci318.checks.concrete_steps import concrete_in_shear
-from groundslab.design.aci318.checks.two_way_demand import TwoWay, pile_two_way, strength, two_way
+from groundslab.design.aci318.checks.two_way_demand import (
+    TwoWay,
+    pile_two_way,
+    strength,
+    two_way,
+    zone_two_way,
+)
 from groundslab.design.aci318.checks.wall_ends import WALL_STRESS, wall_two_way
 from groundslab.design.aci318.materials import PHI_SHEAR, Concrete, Steel
-from groundslab.design.basis.calculation import MEGA, Pushing, Step, punching_force
+from groundslab.design.basis.calculation import MEGA, SAME, Pushing, Step, punching_force
 from groundslab.design.basis.design_code import Calculation
 from groundslab.design.demands.perimeters import SketchedPerimeter
 from groundslab.model.design.reinforcement import Reinforcement
@@ -32,13 +38,23 @@ def over_piles(combined: Results, steel: Reinforcement) -> Iterator[Calculation]
     return _governing(pile_two_way(combined)[0].values(), steel, "pile")
 
 
+def around_zones(combined: Results, steel: Reinforcement) -> Iterator[Calculation]:
+    """Yield the governing combination of each thicker zone with its steps; those that use most come first."""
+    return _governing(zone_two_way(combined)[0].values(), steel, "zone")
+
+
 def at_walls(combined: Results, steel: Reinforcement) -> Iterator[Calculation]:
     """Yield the governing combination of each end and corner of walls with its steps; those that use most first."""
     return _governing(wall_two_way(combined).values(), steel, None)
 
 
 #: The calculations by their names.
-STEPS = (("punching", at_columns), ("punching over piles", over_piles), ("punching at walls' ends", at_walls))
+STEPS = (
+    ("punching", at_columns),
+    ("punching over piles", over_piles),
+    ("punching around thicker zones", around_zones),
+    ("punching at walls' ends", at_walls),
+)
 
 
 def _governing(demands: Iterable[TwoWay], steel: Reinforcement, one: Pushing | None) -> Iterator[Calculation]:
@@ -64,7 +80,9 @@ def _steps(demand: TwoWay, steel: Reinforcement, one: Pushing | None) -> Iterato
         inside = demand.force, demand.others, demand.pressure, demand.edge
         yield from punching_force(one, ("N_u", "V_u"), inside, demand.V_u, "22.6.4.1")
     yield Step("effective depth", "d", demand.d, "m", clause="22.6.2.1")
-    yield Step("length of the critical section, less edges and openings", "b_o", demand.b_o, "m", clause="22.6.4")
+    thinned = demand.line is not None and demand.b_o < (1 - SAME) * demand.line.u
+    words = f"length of the critical section, less edges and openings{', less in thinner slab' if thinned else ''}"
+    yield Step(words, "b_o", demand.b_o, "m", clause="22.6.4")
     if demand.transfer is not None:
         yield from _transfer(demand.transfer)
         yield Step("stress", "v_u", demand.v_u / MEGA, "MPa", aci318.FORMULAS["v_u"], "8.4.4.2.3")

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache, partial
 from typing import TYPE_CHECKING, assert_never
@@ -58,25 +58,22 @@ def by_column(model: Model, name: str) -> dict[str, Array]:
     return dict(sums)
 
 
-def sum_of_others(results: CombinationResult, part: Polygon, column: str | None) -> dict[str, float]:
-    """Return the sum of all loads on a part of the plate but those that name a column [N], by load case.
-
-    Without a column it is that of all loads.
-    """
-    return {case: float(sums[0]) for case, sums in acting_inside(results, part, column).items()}
+def sum_of_others(results: CombinationResult, part: Polygon, columns: Collection[str]) -> dict[str, float]:
+    """Return the sum of all loads on a part of the plate but those that name some columns [N], by load case."""
+    return {case: float(sums[0]) for case, sums in acting_inside(results, part, columns).items()}
 
 
-def shapes_around(model: Model, part: Polygon, column: str | None) -> Shapes:
-    """Return the loads that may act on a part of the plate, without those that name a column if one is given."""
+def shapes_around(model: Model, part: Polygon, columns: Collection[str]) -> Shapes:
+    """Return the loads that may act on a part of the plate, without those that name some columns."""
     stands_near = cache(partial(_stands_near, model=model, part=part))
     shapes: list[tuple[str, Acting]] = []
     for load in model.loads:
         on_column = getattr(load, "column", "")
-        if on_column and (on_column == column or not stands_near(on_column)):
+        if on_column and (on_column in columns or not stands_near(on_column)):
             continue
         shapes += [(load.case, shape) for shape in model.shapes(load)]
     for name, units in unit_loads(model).items():
-        if name != column and units[0][1].to_shapely().intersects(part):
+        if name not in columns and units[0][1].to_shapely().intersects(part):
             shapes += units
     chord = FLAT * max(model.sides)
     return [
@@ -99,7 +96,7 @@ def _may_act(shape: Acting, part: Polygon, chord: float) -> bool:
 def acting_inside(
     results: CombinationResult,
     part: Polygon,
-    column: str | None,
+    columns: Collection[str],
     shapes: Shapes | None = None,
     shares: tuple[Integers, Array] | None = None,
 ) -> dict[str, Array]:
@@ -111,8 +108,8 @@ def acting_inside(
         The results whose mesh and model are meant.
     part : shapely.Polygon
         Part of the plate.
-    column : str or None
-        Loads that name this column are left out.
+    columns : collection of str
+        Loads that name these columns are left out.
     shapes : sequence of (str, Acting), optional
         What may press the part (see `shapes_around`), with its load case; all of the model by default.
     shares : ((k,) array of int, (k, 9) array), optional
@@ -129,7 +126,7 @@ def acting_inside(
         shares = near, load_vectors.integrate_over_polygon(mesh, near, part)
     inside = _Inside(results, mesh, part, *shares)
     if shapes is None:
-        shapes = shapes_around(results.solved_model, part, column)
+        shapes = shapes_around(results.solved_model, part, columns)
     sums: dict[str, Array] = defaultdict(lambda: np.zeros(3))
     for case, shape in shapes:
         sums[case] += inside.of(shape)

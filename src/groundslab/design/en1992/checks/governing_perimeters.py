@@ -1,4 +1,4 @@
-"""What punches at columns and piles in each ultimate combination, at their faces and around them (EN 1992-1-1 6.4).
+"""What punches at columns, piles and zones in ultimate combinations, at faces and around them (EN 1992-1-1 6.4).
 
 Foundations are checked on all perimeters within 2 d (6.4.4(2)): what counts is the largest v_Ed / v_Rd over the
 distance a from the face, v_Rd = v_Rd,c 2 d / a. It is looked for from STEPS on, which all combinations have, at further
@@ -23,6 +23,8 @@ from groundslab.design.demands import line_properties, perimeter_loads
 from groundslab.design.demands.line_properties import Course
 from groundslab.design.demands.perimeter_loads import LoadsNear, PerimeterLoads, PunchingForce
 from groundslab.design.demands.perimeters import Perimeter, SketchedPerimeter, Surroundings, perimeter_at, surroundings
+from groundslab.design.demands.zones.thicker_zones import zone_forces
+from groundslab.design.demands.zones.thinner_slab import ThinnerPart, counted, thinner_parts
 from groundslab.design.en1992 import punching as en1992
 from groundslab.design.en1992.case_materials import materials
 from groundslab.design.en1992.checks.punching_demand import (
@@ -33,7 +35,7 @@ from groundslab.design.en1992.checks.punching_demand import (
     Demands,
     Stress,
 )
-from groundslab.design.en1992.perimeters import face_length, openings
+from groundslab.design.en1992.perimeters import face_length, openings, share_of_thinner
 from groundslab.errors import InputError
 from groundslab.model.design.laid_bars import punching_ratio
 from groundslab.model.design.reinforcement import Reinforcement
@@ -74,13 +76,19 @@ def _demands(combined: Results, forces: tuple[PunchingForce, ...]) -> Demands:
     make = partial(_site, steel=steel)
     for punching, site, pushing in perimeter_loads.pushing_forces(results, forces, model, (_SITES, make)):
         of_combinations, why = _largest(pushing, site)
-        if why:
+        if why and not (punching.at_zone and any(demand.around for demand in of_combinations)):
             missing[punching.name] = why
         # beyond d from the face, where uniform loads are, one-way shear is checked in any case (6.2.1(8))
         last = max((stress.distance for demand in of_combinations for stress in demand.around), default=0.0)
         reach[punching.name] = max(site.d, last)
         governing |= {(demand.combination, punching.name): demand for demand in of_combinations}
     return Demands(governing, missing, {punching.name: punching.place for punching in forces}, reach)
+
+
+@made_once
+def zone_demands(combined: Results) -> Demands:
+    """Return the demands around thicker zones with columns on them (6.4.2(8) to (11)), at none of their faces."""
+    return _demands(combined, zone_forces(combined))
 
 
 @dataclass(frozen=True, slots=True)
@@ -93,6 +101,7 @@ class _Site:
     d: float  # effective depth [m]
     around: Surroundings | None
     near: LoadsNear | None
+    thinner: tuple[ThinnerPart, ...]  # parts of the plate that perimeters may reach
     u_0: float  # [m]
     why: str  # it does not lie on the plate; else empty
     lines: dict[float, Perimeter | str] = field(default_factory=dict)
@@ -130,7 +139,8 @@ class _Site:
         if lines and self.around is not None and self.near is not None:
             loads = self.near.inside_each(results, [line.inside for line in lines.values()])
             for (distance, line), inside in zip(lines.items(), loads, strict=True):
-                control = _control(line, distance, self.d, self.around, inside)
+                legs = counted(line.legs, self.thinner, share_of_thinner, distance, self.d)
+                control = _control((line, legs), distance, self.d, self.around, inside)
                 self.controls[distance] = control if distance > 0 else replace(control, u=self.u_0)
         return [self.controls[distance] for distance in distances]
 
@@ -145,14 +155,15 @@ _SITES: Memo[dict[tuple[bool, str], _Site]] = Memo()
 def _site(results: CombinationResult, punching: PunchingForce, steel: Reinforcement) -> _Site:
     """Return a column or pile on its plate."""
     plate, footprint, model = plate_under(results, *punching.place), punching.footprint, results.model
-    d = perimeter_loads.effective_depth(results, footprint, steel, from_below=punching.from_below)
+    d = punching.depth(results, steel)
     ratio = _ratio(model, punching, steel, d)
     try:
         around = surroundings(plate, footprint, REACH * d, openings(d))
     except InputError as error:
-        return _Site(punching, steel, ratio, d, None, None, 0.0, str(error))
+        return _Site(punching, steel, ratio, d, None, None, (), 0.0, str(error))
     near = perimeter_loads.loads_near(results, punching, REACH * d)
-    return _Site(punching, steel, ratio, d, around, near, face_length(around, d), "")
+    thinner = thinner_parts(results, around.footprint, punching.thickness(results), REACH * d)
+    return _Site(punching, steel, ratio, d, around, near, thinner, face_length(around, d), "")
 
 
 def _ratio(model: Model, punching: PunchingForce, steel: Reinforcement, d: float) -> float:
@@ -164,26 +175,27 @@ def _ratio(model: Model, punching: PunchingForce, steel: Reinforcement, d: float
 
 
 def _control(
-    line: Perimeter, distance: float, d: float, around: Surroundings, loads: PerimeterLoads
+    lines: tuple[Perimeter, Array], distance: float, d: float, around: Surroundings, loads: PerimeterLoads
 ) -> ControlPerimeter:
-    """Return a perimeter with what EN 1992-1-1 needs of it."""
+    """Return a perimeter and what counts of its legs (l, 2, 2) with what EN 1992-1-1 needs of it."""
     from shapely import get_coordinates
 
+    line, legs = lines
     course = line_properties.course(line.ring, around.axes)
-    center = line_properties.centroid(line.legs)
+    center = line_properties.centroid(legs)
     frame = course.frame
     points = get_coordinates(around.footprint)
     c_1, c_2 = np.ptp(points @ frame.T, axis=0)
-    reduced = reduced_share(line.legs, points, course, d) if course.shape == "edge" else 1.0
+    reduced = reduced_share(legs, points, course, d) if course.shape == "edge" else 1.0
     return ControlPerimeter(
         distance,
-        line.u,
+        line_properties.total_length(legs),
         center,
         course,
-        line_properties.moduli(line.legs @ frame.T, frame @ center),
+        line_properties.moduli(legs @ frame.T, frame @ center),
         np.array([en1992.transfer_share(c_1 / c_2), en1992.transfer_share(c_2 / c_1)]),
         reduced,
-        line.opened,
+        line.opened or legs is not line.legs,
         loads,
         SketchedPerimeter(line, line.legs, around.center),
     )
@@ -211,7 +223,7 @@ def _largest(results: list[CombinationResult], site: _Site) -> tuple[list[Demand
     With the reason why there is none at 2 d, or nowhere, if it is no other than that it cuts the slab.
     """
     first = results[0]
-    face = site.control(first, 0.0)
+    face = "no column" if site.punching.at_zone else site.control(first, 0.0)
     distances, why = _first_distances(site)
     made = [_demand(result, site, face, distances) for result in results]
     for _ in range(MOST_TRIALS):

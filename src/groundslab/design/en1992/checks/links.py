@@ -21,7 +21,7 @@ from typing import TYPE_CHECKING
 
 from groundslab.arrays import Array
 from groundslab.design.basis.combinations import ultimate_results
-from groundslab.design.basis.wall_ends import loaded_ends, punching_walls
+from groundslab.design.basis.wall_ends import loaded_ends
 from groundslab.design.by_plate import plate_under
 from groundslab.design.demands.perimeter_loads import (
     PunchingForce,
@@ -40,12 +40,13 @@ from groundslab.design.demands.perimeters import (
     surroundings,
 )
 from groundslab.design.demands.wall_perimeters import LoadedArea, course
+from groundslab.design.demands.zones.thicker_zones import zone_forces
 from groundslab.design.en1992 import punching as en1992
 from groundslab.design.en1992.case_materials import materials
-from groundslab.design.en1992.checks.governing_perimeters import demands, pile_demands
+from groundslab.design.en1992.checks.governing_perimeters import demands, pile_demands, zone_demands
 from groundslab.design.en1992.checks.punching import LAST_LINKS, limited_with_links
 from groundslab.design.en1992.checks.punching_demand import REACH, Demand, Demands, Stress, outer
-from groundslab.design.en1992.checks.wall_ends import STEPS, wall_demands
+from groundslab.design.en1992.checks.wall_ends import at_ends, wall_demands
 from groundslab.design.en1992.perimeters import openings
 from groundslab.design.punching_links.demand import (
     Arrangement,
@@ -88,13 +89,14 @@ class _Required:
 
 
 def links(combined: Results, steel: Reinforcement) -> Iterator[LinkDemand]:
-    """Yield the columns, piles and ends of walls that need links, with their perimeters, or why links do not help."""
+    """Yield the columns, piles, zones and ends of walls that need links, with perimeters, or why they do not help."""
     results = ultimate_results(combined)
     if not results:
         return
     model = combined.model
     yield from _of_forces(results[0], steel, "column", punching_columns(model), demands(combined))
     yield from _of_forces(results[0], steel, "pile", punching_piles(model), pile_demands(combined))
+    yield from _of_forces(results[0], steel, "zone", zone_forces(combined), zone_demands(combined))
     if loaded_ends(model):
         yield from _of_walls(combined, steel)
 
@@ -106,14 +108,16 @@ def _of_forces(
     forces: Sequence[PunchingForce],
     punched: Demands,
 ) -> Iterator[LinkDemand]:
-    """Yield the columns or piles that need links."""
+    """Yield the columns, piles or zones that need links."""
     for punching in forces:
         found = [demand for demand in punched.found.values() if demand.name == punching.name]
         required = _required(steel, found)
         if required is None:
             continue
-        d, thickness = found[0].d, thickness_at(first, punching.footprint)
-        arrangement: Arrangement | str = _refused(steel, found, thickness, at_face=True) or _too_far(required, d)
+        d, thickness = found[0].d, punching.thickness(first)
+        arrangement: Arrangement | str = _refused(steel, found, thickness, at_face=support != "zone") or _too_far(
+            required, d
+        )
         if not arrangement:
             plate = plate_under(first, *punching.place)
             around = surroundings(plate, punching.footprint, REACH * d, openings(d))
@@ -124,7 +128,7 @@ def _of_forces(
 def _of_walls(combined: Results, steel: Reinforcement) -> Iterator[LinkDemand]:
     """Yield the ends and corners of walls that need links."""
     punched = wall_demands(combined)
-    some = punching_walls(combined, steel, STEPS, lambda _, d: openings(d))
+    some = at_ends(combined, steel)
     for name, (site, results) in {each.site.end.name: (each.site, each.results) for each in some}.items():
         found = [demand for demand in punched.found.values() if demand.name == name]
         required = _required(steel, found)

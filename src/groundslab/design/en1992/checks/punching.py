@@ -1,4 +1,4 @@
-"""Punching by EN 1992-1-1 6.4 of columns, piles and ends of walls: at faces, within 2 d, and the links it takes."""
+"""Punching by EN 1992-1-1 6.4 of columns, piles, zones and walls' ends: at faces, within 2 d, and its links."""
 
 from __future__ import annotations
 
@@ -8,12 +8,13 @@ from typing import Any, NamedTuple
 
 from groundslab.design.basis.check import DesignCheck, Status
 from groundslab.design.basis.demand_errors import error_of_ratio, scaled
-from groundslab.design.basis.wall_ends import loaded_ends
+from groundslab.design.basis.wall_ends import NO_WALL, loaded_ends
 from groundslab.design.demands.perimeter_loads import punching_piles
+from groundslab.design.demands.zones.thicker_zones import NONE, zone_forces
 from groundslab.design.en1992 import punching as en1992
 from groundslab.design.en1992.annex import Annex
 from groundslab.design.en1992.case_materials import materials
-from groundslab.design.en1992.checks.governing_perimeters import demands, pile_demands
+from groundslab.design.en1992.checks.governing_perimeters import CUT, demands, pile_demands, zone_demands
 from groundslab.design.en1992.checks.punching_demand import Demand, Demands, Stress, outer
 from groundslab.design.en1992.checks.wall_ends import wall_demands
 from groundslab.model.design.reinforcement import Reinforcement
@@ -42,7 +43,12 @@ COLUMNS = Names("punching at the column's face", "punching within 2 d", "column"
 PILES = Names("punching at the pile's face", "punching over piles within 2 d", "pile", "piles", "no pile pushes up")
 WALLS = Names(
     "", "punching at walls' ends within 2 d", "wall end", "wall ends",
-    "no wall pushes down at an end or corner with slab beyond it",
+    NO_WALL,
+)  # fmt: skip
+
+ZONES = Names(
+    "", "punching around thicker zones within 2 d", "thicker zone", "thicker zones",
+    NONE,
 )  # fmt: skip
 
 
@@ -54,6 +60,11 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
         yield from _checks(steel, demands(combined), COLUMNS)
     if punching_piles(combined.model):
         yield from _checks(steel, pile_demands(combined), PILES)
+    if zone_forces(combined):
+        around = zone_demands(combined)
+        # where a zone reaches from edge to edge, one-way shear is checked beside it
+        missing = {name: why for name, why in around.missing.items() if why != CUT}
+        yield _within_2d(steel, replace(around, missing=missing), ZONES)
     if loaded_ends(combined.model):
         yield _within_2d(steel, wall_demands(combined), WALLS)
 

@@ -1,13 +1,15 @@
-"""What the tables of columns and piles have of punching by EN 1992-1-1."""
+"""What the tables of columns, piles and thicker zones have of punching by EN 1992-1-1."""
 
 from __future__ import annotations
 
 from groundslab.design.basis.combinations import solved_results
 from groundslab.design.basis.punching_columns import (
+    AROUND,
     BEAMS,
     DEPTH,
     INSIDE,
     RELIEF,
+    THINNER,
     Heads,
     PunchingColumns,
     cells_inside,
@@ -16,7 +18,7 @@ from groundslab.design.basis.punching_columns import (
     missing_notes,
 )
 from groundslab.design.en1992.case_materials import materials
-from groundslab.design.en1992.checks.governing_perimeters import demands, pile_demands
+from groundslab.design.en1992.checks.governing_perimeters import demands, pile_demands, zone_demands
 from groundslab.design.en1992.checks.punching_demand import Demand, Demands
 from groundslab.design.en1992.punching import max_resistance
 from groundslab.model.design.reinforcement import Reinforcement
@@ -27,6 +29,8 @@ _HEADS: Heads = (
     ("a", "m"), ("v_Ed at a", "MPa"), ("v_Rd at a", "MPa"), ("v_Ed / v_Rd", ""),
     ("u_0", "m"), ("v_Ed at the face", "MPa"), ("v_Rd,max", "MPa"),
 )  # fmt: skip
+#: So many of them, the last ones, are about the face.
+_AT_FACE = 3
 
 
 def at_columns(combined: Results, steel: Reinforcement) -> PunchingColumns:
@@ -39,14 +43,26 @@ def over_piles(combined: Results, steel: Reinforcement) -> PunchingColumns:
     return _columns(combined, steel, pile_demands(combined), "pile")
 
 
+def around_zones(combined: Results, steel: Reinforcement) -> PunchingColumns:
+    """Return the punching checks around thicker zones whose columns push down."""
+    return _columns(combined, steel, zone_demands(combined), "zone")
+
+
 def _columns(combined: Results, steel: Reinforcement, punched: Demands, support: str) -> PunchingColumns:
     """Return the columns of demands, and their notes."""
     states = {result.combination: result.limit_state for result in solved_results(combined)}
 
+    at_zone = support == "zone"
+    heads = _HEADS[:-_AT_FACE] if at_zone else _HEADS
+
     def cells(combination: str, name: str) -> list[float | None]:
         v_Rd_max = max_resistance(materials(steel, states[combination])[0])
-        return _cells(punched.found.get((combination, name)), v_Rd_max)
+        return _cells(punched.found.get((combination, name)), v_Rd_max)[: len(heads)]
 
+    at_face = (
+        "At the face v_Ed is that of 6.4.5(3) on u_0, with the same beta and the remaining force there. Above "
+        "v_Rd,max no reinforcement helps; some annexes have none."
+    )
     notes = (
         f"Punching by EN 1992-1-1 6.4.4(2), in ultimate combinations: V_Ed = {RELIEF[support]}, on the perimeter at "
         "2 d. v_Ed = beta V_Ed / (u d), beta from the moments of all forces inside about the perimeter's center, 6.51. "
@@ -55,13 +71,11 @@ def _columns(combined: Results, steel: Reinforcement, punched: Demands, support:
         "bars provided or the largest ratio that counts.",
         effective_note("W"),
         edge_note(steel, support),
-        "At the face v_Ed is that of 6.4.5(3) on u_0, with the same beta and the remaining force there. Above "
-        "v_Rd,max no reinforcement helps; some annexes have none.",
-        f"{DEPTH[support]} Where the plate gets thinner within 2 d or slightly beyond, that place needs a separate "
-        "check.",
+        AROUND if at_zone else at_face,
+        f"{DEPTH[support]} {THINNER}",
     )
     of_beams = (BEAMS,) if combined.model.beams else ()
-    return PunchingColumns(_HEADS, cells, (*notes, *of_beams, *missing_notes(punched.missing, support)))
+    return PunchingColumns(heads, cells, (*notes, *of_beams, *missing_notes(punched.missing, support)))
 
 
 def _cells(demand: Demand | None, v_Rd_max: float | None) -> list[float | None]:

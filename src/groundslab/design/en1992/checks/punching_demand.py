@@ -19,6 +19,8 @@ REACH = 2.0
 SAME_DISTANCE = 1e-2
 #: Perimeters that do not grow with their distance are taken to do so by this, so that none is infinitely far.
 LEAST_GROWTH = 1e-3
+#: Lengths that differ by a smaller share are the same.
+ROUNDING = 1e-9
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,6 +37,11 @@ class ControlPerimeter:
     opened: bool  # whether openings take off a part of it
     loads: PerimeterLoads
     sketch: SketchedPerimeter = field(repr=False, compare=False)
+
+    @property
+    def thinned(self) -> bool:
+        """Return whether a part of it counts less, as it is in thinner slab."""
+        return self.u < (1 - ROUNDING) * self.sketch.line.u
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,4 +1,4 @@
-"""Punching by EN 1992-1-1 at columns, piles and ends of walls, step by step, as it can be followed by hand.
+"""Punching by EN 1992-1-1 at columns, piles, zones and ends of walls, step by step, as it can be followed by hand.
 
 Every value is that of the check; formulas stand beside the functions that compute it.
 """
@@ -13,7 +13,7 @@ from groundslab.design.basis.design_code import Calculation
 from groundslab.design.en1992 import punching as en1992
 from groundslab.design.en1992.annex import Annex
 from groundslab.design.en1992.case_materials import materials
-from groundslab.design.en1992.checks.governing_perimeters import demands, pile_demands
+from groundslab.design.en1992.checks.governing_perimeters import demands, pile_demands, zone_demands
 from groundslab.design.en1992.checks.punching import LAST_LINKS, LEAST_PERIMETERS
 from groundslab.design.en1992.checks.punching_demand import (
     LEAST_GROWTH,
@@ -41,13 +41,23 @@ def over_piles(combined: Results, steel: Reinforcement) -> Iterator[Calculation]
     return _governing(pile_demands(combined), steel, "pile")
 
 
+def around_zones(combined: Results, steel: Reinforcement) -> Iterator[Calculation]:
+    """Yield the governing combination of each thicker zone with its steps; those that use most come first."""
+    return _governing(zone_demands(combined), steel, "zone")
+
+
 def at_walls(combined: Results, steel: Reinforcement) -> Iterator[Calculation]:
     """Yield the governing combination of each end and corner of walls with its steps; those that use most first."""
     return _governing(wall_demands(combined), steel, None)
 
 
 #: The calculations by their names.
-STEPS = (("punching", at_columns), ("punching over piles", over_piles), ("punching at walls' ends", at_walls))
+STEPS = (
+    ("punching", at_columns),
+    ("punching over piles", over_piles),
+    ("punching around thicker zones", around_zones),
+    ("punching at walls' ends", at_walls),
+)
 
 
 def _governing(punched: Demands, steel: Reinforcement, one: Pushing | None) -> Iterator[Calculation]:
@@ -72,7 +82,9 @@ def _steps(demand: Demand, stress: Stress, steel: Reinforcement, one: Pushing | 
         inside = demand.force, stress.others, stress.pressure, stress.edge
         yield from punching_force(one, ("N_Ed", "V_Ed"), inside, stress.V_Ed, "6.4.4(2), 6.48")
     yield Step("distance of the perimeter from the face", "a", stress.distance, "m", clause="6.4.4(2)")
-    yield Step("its length, less edges and openings", "u", stress.u, "m", clause="6.4.2")
+    thinned = stress.control is not None and stress.control.thinned
+    words = f"its length, less edges and openings{', less in thinner slab' if thinned else ''}"
+    yield Step(words, "u", stress.u, "m", clause="6.4.2")
     yield Step("effective depth", "d", demand.d, "m", clause="6.4.2(1)")
     if stress.control is not None:
         yield from _beta(stress, stress.control)

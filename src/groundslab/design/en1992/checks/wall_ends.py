@@ -6,6 +6,7 @@ with every annex. At the face nothing is judged: what presses there on the slab 
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from functools import partial
 
 import numpy as np
@@ -16,7 +17,7 @@ from groundslab.design.basis.wall_ends import WallPunching, punching_walls
 from groundslab.design.en1992 import punching as en1992
 from groundslab.design.en1992.case_materials import materials
 from groundslab.design.en1992.checks.punching_demand import Demand, Demands, Stress
-from groundslab.design.en1992.perimeters import openings
+from groundslab.design.en1992.perimeters import openings, share_of_thinner
 from groundslab.model.design.laid_bars import punching_ratio
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.results import Results
@@ -31,6 +32,11 @@ _HEADS: Heads = (
 )  # fmt: skip
 
 
+def at_ends(combined: Results, steel: Reinforcement) -> Iterator[WallPunching]:
+    """Yield what punches at ends and corners of walls in all ultimate combinations."""
+    return punching_walls(combined, steel, STEPS, lambda _, d: openings(d), share=share_of_thinner)
+
+
 @made_once
 def wall_demands(combined: Results) -> Demands:
     """Return the demands of punching at ends and corners of walls in all ultimate combinations, if bars are given."""
@@ -38,7 +44,7 @@ def wall_demands(combined: Results) -> Demands:
     if steel is None:
         return Demands({}, {}, {}, {})
     model = combined.model
-    some = [*punching_walls(combined, steel, STEPS, lambda _, d: openings(d))]
+    some = [*at_ends(combined, steel)]
     sites = {each.site.end.name: each.site for each in some}
     ratios = {
         name: punching_ratio(model.plate, steel, site.column, site.d, model.plates) if steel.laid else en1992.MOST_BARS

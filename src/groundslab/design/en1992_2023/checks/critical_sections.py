@@ -23,6 +23,13 @@ from groundslab.design.demands.perimeters import (
     surroundings,
     way_around,
 )
+from groundslab.design.demands.zones.thinner_slab import (
+    ThinnerPart,
+    counted,
+    depth_share,
+    shares_at,
+    thinner_parts,
+)
 from groundslab.design.en1992_2023 import punching as en1992
 from groundslab.errors import InputError
 from groundslab.model.design.laid_bars import punching_ratio
@@ -52,12 +59,13 @@ class CriticalSection:
     ratio: float  # of the bars in tension, or the most that count
     line: Perimeter
     legs: Array  # (l, 2, 2): what counts at d_v / 2 [m]
-    b_05: float  # length that counts at d_v / 2 [m]
+    b_05: float  # length that counts there, in thinner slab by the depth [m]
     b_0: float  # that at the face [m]
     center: Array  # (2,) of what counts at d_v / 2 [m]
     course: Course
     relieved: PerimeterLoads  # what acts up to where pressure relieves without links
     inside: PerimeterLoads  # what acts inside the perimeter
+    thinner: tuple[ThinnerPart, ...]  # parts of the plate that the perimeter may reach
     chain: Array  # (p, 2): places along the perimeter [m]
     nodes: int  # of the plate that shear forces and moments are read from
     shear: PerimeterShear | None
@@ -84,7 +92,7 @@ class CriticalSection:
         """Return how shear forces across the perimeter are read from a plate, on another mesh, too."""
         if len(plate.nodes) == self.nodes:
             return self.shear
-        return perimeter_shear(plate, self.chain, self.line_center, AVERAGED * self.d)
+        return _shear(plate, self.chain, self.line_center, self.thinner, self.d)
 
     def lines_on(self, plate: PlateResult) -> tuple[MomentLine, ...]:
         """Return how moments along both axes of bars are read from a plate, on another mesh, too."""
@@ -100,7 +108,7 @@ class CriticalSection:
     @property
     def k_pb(self) -> float:
         """Return the gradient enhancement (formula 8.96)."""
-        return en1992.gradient(self.b_0, self.b_05)
+        return en1992.gradient(self.b_0, total_length(self.legs))
 
 
 def critical_section(
@@ -108,10 +116,10 @@ def critical_section(
 ) -> CriticalSection | str:
     """Return the critical section at d_v / 2 from a column's or pile's faces, or why there is none."""
     plate, footprint, model = plate_under(results, *punching.place), punching.footprint, results.model
-    d = perimeter_loads.effective_depth(results, footprint, steel, from_below=punching.from_below)
+    d = punching.depth(results, steel)
     try:
         around = surroundings(plate, footprint, d, Openings(OPENING_REACH * d, widened=True))
-        line = perimeter_at(around, en1992.DISTANCE * d, near=np.inf)
+        line = perimeter_at(around, en1992.DISTANCE * d, near=punching.edges_within(d))
     except InputError as error:
         return str(error)
     if line_properties.shape_of(line.whole) == "cut":
@@ -120,33 +128,47 @@ def critical_section(
     face = _counted(way_around(around, line.loaded), around, d)
     if not total_length(legs) > around.rounding:
         return "nothing of its control perimeter is left between openings"
+    thinner = thinner_parts(results, around.footprint, punching.thickness(results), d)
+    weighted = counted(legs, thinner, depth_share, en1992.DISTANCE * d, d)
     ratio = en1992.MOST_BARS
     if steel.laid:
         side: Literal["bottom", "top"] = "top" if punching.from_below else "bottom"
         ratio = punching_ratio(model.plate, steel, punching.column, d, model.plates, side)
     near = perimeter_loads.loads_near(results, punching, d)
-    course, center = line_properties.course(line.ring, around.axes), line_properties.centroid(legs)
+    course, center = line_properties.course(line.ring, around.axes), line_properties.centroid(weighted)
     chain = max(line_properties.chains(line.whole), key=len)
     compressed = steel.bottom_axes if punching.from_below else steel.top_axes
     return CriticalSection(
         place=around.center,
         d=d,
         out=d - sum(compressed) / 2,
-        thickness=perimeter_loads.thickness_at(results, footprint),
+        thickness=punching.thickness(results),
         ratio=ratio,
         line=line,
         legs=legs,
-        b_05=total_length(legs),
+        b_05=total_length(weighted),
         b_0=total_length(face),
         center=center,
         course=course,
-        relieved=_relieved(results, around, near, line, d),
+        relieved=_relieved(results, around, near, line, d, punching.edges_within(d)),
         inside=near.inside(results, line.inside),
+        thinner=thinner,
         chain=chain,
         nodes=len(plate.nodes),
-        shear=perimeter_shear(plate, chain, around.center, AVERAGED * d),
+        shear=_shear(plate, chain, around.center, thinner, d),
         lines=moment_lines(plate, around.center, en1992.FAR_CONTRAFLEXURE * d * REACH),
     )
+
+
+def _shear(
+    plate: PlateResult, chain: Array, center: Array, thinner: tuple[ThinnerPart, ...], d: float
+) -> PerimeterShear | None:
+    """Return how shear forces along a chain are read, in thinner slab as large as they are over its depth times d."""
+
+    def factors(places: Array) -> Array:
+        return 1 / shares_at(places, en1992.DISTANCE * d, thinner, depth_share, d)
+
+    return perimeter_shear(plate, chain, center, AVERAGED * d, factors if thinner else None)
 
 
 def _counted(legs: Array, around: Surroundings, d: float) -> Array:
@@ -155,11 +177,11 @@ def _counted(legs: Array, around: Surroundings, d: float) -> Array:
 
 
 def _relieved(
-    results: CombinationResult, around: Surroundings, near: LoadsNear, line: Perimeter, d: float
+    results: CombinationResult, around: Surroundings, near: LoadsNear, line: Perimeter, d: float, edges: float
 ) -> PerimeterLoads:
     """Return what acts up to 0.67 d_v from the face, or inside the control perimeter if there is no such line."""
     try:
-        farther = perimeter_at(around, en1992.RELIEVED * d, near=np.inf)
+        farther = perimeter_at(around, en1992.RELIEVED * d, near=edges)
     except InputError:
         return near.inside(results, line.inside)
     # one that begins to run out to an edge, or cuts the slab, has another shape

@@ -1,4 +1,4 @@
-"""Punching by EN 1992-1-1:2023 8.4 of columns, piles and ends of walls: without links, and the links it takes."""
+"""Punching by EN 1992-1-1:2023 8.4 of columns, piles, zones and walls' ends: without links, and the links needed."""
 
 from __future__ import annotations
 
@@ -8,11 +8,19 @@ from typing import NamedTuple
 
 from groundslab.design.basis.check import DesignCheck, Status
 from groundslab.design.basis.demand_errors import error_of_ratio, scaled
-from groundslab.design.basis.wall_ends import loaded_ends
+from groundslab.design.basis.wall_ends import NO_WALL, loaded_ends
 from groundslab.design.demands.perimeter_loads import punching_piles
+from groundslab.design.demands.zones.thicker_zones import NONE, zone_forces
 from groundslab.design.en1992_2023 import punching as en1992
 from groundslab.design.en1992_2023.case_materials import materials
-from groundslab.design.en1992_2023.checks.punching_demand import Demands, Punching, column_demands, pile_demands
+from groundslab.design.en1992_2023.checks.critical_sections import CUT
+from groundslab.design.en1992_2023.checks.punching_demand import (
+    Demands,
+    Punching,
+    column_demands,
+    pile_demands,
+    zone_demands,
+)
 from groundslab.design.en1992_2023.checks.wall_ends import wall_demands
 from groundslab.design.punching_links.demand import LinkDemand, Support
 from groundslab.model.design.reinforcement import Reinforcement
@@ -61,19 +69,25 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
     steel = combined.model.reinforcement
     assert steel is not None
     if combined.model.columns:
-        yield from _checks(steel, column_demands(combined), "punching", ("column", "down"))
+        yield from _checks(steel, column_demands(combined), "punching", ("column", "no column pushes down"))
     if punching_piles(combined.model):
-        yield from _checks(steel, pile_demands(combined), "punching over piles", ("pile", "up"))
+        yield from _checks(steel, pile_demands(combined), "punching over piles", ("pile", "no pile pushes up"))
+    if zone_forces(combined):
+        known, missing = zone_demands(combined)
+        # where a zone reaches from edge to edge, one-way shear is checked beside it
+        missing = {name: why for name, why in missing.items() if why != CUT}
+        yield from _checks(steel, (known, missing), "punching around thicker zones", ("thicker zone", NONE))
     if loaded_ends(combined.model):
-        yield from _checks(steel, (wall_demands(combined), {}), "punching at walls' ends", ("wall end", "down"))
+        yield from _checks(steel, (wall_demands(combined), {}), "punching at walls' ends", ("wall end", NO_WALL))
 
 
 def links(combined: Results, _: Reinforcement) -> Iterator[LinkDemand]:
-    """Yield the columns, piles and ends of walls that need links, with the reason why these are not laid out."""
+    """Yield the columns, piles, zones and ends of walls that need links, with the reason why these are not laid out."""
     if combined.model.columns:
         yield from _needing("column", column_demands(combined)[0].values())
     if punching_piles(combined.model):
         yield from _needing("pile", pile_demands(combined)[0].values())
+    yield from _needing("zone", zone_demands(combined)[0].values())
     if loaded_ends(combined.model):
         yield from _needing("wall end", wall_demands(combined).values())
 
@@ -92,13 +106,13 @@ def _needing(support: Support, demands: Iterable[Punching]) -> Iterator[LinkDema
 def _checks(steel: Reinforcement, demands: Demands, name: str, pushing: tuple[str, str]) -> Iterator[DesignCheck]:
     """Yield the check of those that push, and which of them it leaves out."""
     known, missing = demands
-    one, way = pushing
+    one, none = pushing
     judged = [demand for demand in known.values() if not demand.supported]
     unjudged = sorted({demand.name for demand in known.values() if demand.supported} | missing.keys())
     if judged:
         yield _worst(judged, steel, name)
     elif not unjudged:
-        yield DesignCheck(name, "no failure found", f"no {one} pushes {way}")
+        yield DesignCheck(name, "no failure found", none)
     if unjudged:
         listed = ", ".join(unjudged[:5]) + (" ..." if len(unjudged) > 5 else "")
         words = f"not judged, with a support inside or no control perimeter on the plate: {one}s {listed}"

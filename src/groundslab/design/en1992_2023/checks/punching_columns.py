@@ -3,17 +3,25 @@
 from __future__ import annotations
 
 from groundslab.design.basis.punching_columns import (
+    AROUND,
     BEAMS,
     DEPTH,
     INSIDE,
     RELIEF,
+    THINNER,
     Heads,
     PunchingColumns,
     cells_inside,
     edge_note,
     missing_notes,
 )
-from groundslab.design.en1992_2023.checks.punching_demand import Demands, Punching, column_demands, pile_demands
+from groundslab.design.en1992_2023.checks.punching_demand import (
+    Demands,
+    Punching,
+    column_demands,
+    pile_demands,
+    zone_demands,
+)
 from groundslab.design.en1992_2023.checks.remarks import SECOND_HAND
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.results import Results
@@ -35,6 +43,11 @@ def over_piles(combined: Results, steel: Reinforcement) -> PunchingColumns:
     return _columns(combined, steel, pile_demands(combined), "pile")
 
 
+def around_zones(combined: Results, steel: Reinforcement) -> PunchingColumns:
+    """Return punching around thicker zones whose columns push down."""
+    return _columns(combined, steel, zone_demands(combined), "zone")
+
+
 def _columns(combined: Results, steel: Reinforcement, demands: Demands, support: str) -> PunchingColumns:
     """Return the columns of demands, and their notes."""
     known, missing = demands
@@ -49,7 +62,8 @@ def _columns(combined: Results, steel: Reinforcement, demands: Demands, support:
         "tau_Rd,c has the bars provided or 2 %, and, away from edges, a_pd instead of d_v where moments are zero "
         "nearer than 8 d_v (8.4.3(2)). tau_Ed / tau_Rd,c is over tau_Rdc,min where that is larger (8.4.1(2)).",
         edge_note(steel, support),
-        DEPTH[support].replace("d is", "d_v is"),
+        f"{DEPTH[support].replace('d is', 'd_v is')} {THINNER}",
+        *((AROUND,) if support == "zone" else ()),
         f"{SECOND_HAND}.",
         *((BEAMS,) if combined.model.beams else ()),
     )

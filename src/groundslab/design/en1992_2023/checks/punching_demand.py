@@ -1,4 +1,4 @@
-"""What punches at columns and piles in each ultimate combination by EN 1992-1-1:2023 8.4, at d_v / 2 from them."""
+"""What punches at columns, piles and zones in ultimate combinations by EN 1992-1-1:2023 8.4, at d_v / 2 from them."""
 
 from __future__ import annotations
 
@@ -15,6 +15,7 @@ from groundslab.design.by_plate import plate_under
 from groundslab.design.demands import perimeter_loads
 from groundslab.design.demands.perimeter_loads import PerimeterLoads, PunchingForce, PunchingShear
 from groundslab.design.demands.perimeter_shear import contraflexure
+from groundslab.design.demands.zones.thicker_zones import zone_forces
 from groundslab.design.en1992_2023 import punching as en1992
 from groundslab.design.en1992_2023.case_materials import materials
 from groundslab.design.en1992_2023.checks.critical_sections import AVERAGED, CriticalSection, critical_section
@@ -86,17 +87,28 @@ Demands = tuple[dict[tuple[str, str], Punching], Mapping[str, str]]
 @made_once
 def column_demands(combined: Results) -> Demands:
     """Return the demands at columns that push down."""
-    return _demands(combined, perimeter_loads.punching_columns(combined.model))
+    return _of_kind(combined, perimeter_loads.punching_columns(combined.model))
 
 
 @made_once
 def pile_demands(combined: Results) -> Demands:
     """Return the demands over piles that push up."""
-    return _demands(combined, perimeter_loads.punching_piles(combined.model))
+    return _of_kind(combined, perimeter_loads.punching_piles(combined.model))
 
 
-def _demands(combined: Results, forces: tuple[PunchingForce, ...]) -> Demands:
-    """Return the demands of forces that punch the plate."""
+@made_once
+def zone_demands(combined: Results) -> Demands:
+    """Return the demands around thicker zones with columns on them."""
+    return _demands(combined, zone_forces(combined), perimeter_loads.punching_columns(combined.model))
+
+
+def _of_kind(combined: Results, forces: tuple[PunchingForce, ...]) -> Demands:
+    """Return the demands of columns, or of piles."""
+    return _demands(combined, forces, forces)
+
+
+def _demands(combined: Results, forces: tuple[PunchingForce, ...], others: tuple[PunchingForce, ...]) -> Demands:
+    """Return the demands of forces that punch the plate; others may act close to them."""
     model, steel = combined.model, combined.model.reinforcement
     found: dict[tuple[str, str], Punching] = {}
     missing: dict[str, str] = {}
@@ -109,7 +121,7 @@ def _demands(combined: Results, forces: tuple[PunchingForce, ...]) -> Demands:
             missing[punching.name] = section
             continue
         for result in pushing:
-            found[result.combination, punching.name] = _demand(result, section, (punching, forces), steel)
+            found[result.combination, punching.name] = _demand(result, section, (punching, others), steel)
     return found, missing
 
 
@@ -119,14 +131,14 @@ def _demand(
     forces: tuple[PunchingForce, tuple[PunchingForce, ...]],
     steel: Reinforcement,
 ) -> Punching:
-    """Return the demand on a critical section in a combination; forces are its own and all of its kind."""
-    punching, of_kind = forces
+    """Return the demand on a critical section in a combination; forces are its own, and those that may act close by."""
+    punching, others = forces
     concrete, bars = materials(steel, results.limit_state)
     shear = _shear(results, section.relieved, section, punching, steel)
     with_links = _shear(results, section.inside, section, punching, steel)
     first, second = _eccentricities(results, section, punching)
     beta_e = en1992.beta(en1992.eccentricity(section.course.shape, first, second), *section.widths)
-    concentrated = _concentrated(results, section, punching, of_kind, shear.V)
+    concentrated = _concentrated(results, section, punching, others, shear.V)
     a_p = _contraflexure(results, section, punching)
     tau_min = float(minimum_resistance(concrete, bars, section.d))
 
@@ -224,9 +236,9 @@ def _of_analysis(results: CombinationResult, section: CriticalSection, punching:
 def _contraflexure(results: CombinationResult, section: CriticalSection, punching: PunchingForce) -> float:
     """Return a_p [m], the mean distance of contraflexure from the support along both axes of bars (formula 8.98).
 
-    inf at edges and corners: from where it is measured there, Figure 8.21 a), was not read.
+    inf at edges and corners: from where it is measured there, Figure 8.21 a), was not read; and of thicker zones.
     """
-    if section.course.shape != "closed":
+    if section.course.shape != "closed" or punching.at_zone:
         return float("inf")
     sign = -1.0 if punching.from_below else 1.0
     plate = plate_under(results, *punching.place)
@@ -238,7 +250,7 @@ def _concentrated(
     results: CombinationResult,
     section: CriticalSection,
     punching: PunchingForce,
-    of_kind: tuple[PunchingForce, ...],
+    others: tuple[PunchingForce, ...],
     V: float,
 ) -> bool:
     """Return whether another column or pile with a large force stands close to the perimeter."""
@@ -246,6 +258,6 @@ def _concentrated(
     return V > 0 and any(
         float(other.pushing(results)[0]) >= LARGE * V
         and other.footprint.footprint().distance(inside) < NEAR * section.d
-        for other in of_kind
-        if other is not punching
+        for other in others
+        if other is not punching and not set(other.columns) & set(punching.columns)
     )

@@ -1,4 +1,4 @@
-"""Punching by EN 1992-1-1:2023 at columns, piles and ends of walls, step by step, as it can be followed by hand.
+"""Punching by EN 1992-1-1:2023 at columns, piles, zones and walls' ends, step by step, as it can be followed by hand.
 
 Every value is that of the check; formulas stand beside the functions that compute it.
 """
@@ -15,7 +15,12 @@ from groundslab.design.en1992_2023.case_materials import materials
 from groundslab.design.en1992_2023.checks.concrete_steps import in_shear
 from groundslab.design.en1992_2023.checks.critical_sections import CriticalSection
 from groundslab.design.en1992_2023.checks.punching import links_needed, outermost_depth
-from groundslab.design.en1992_2023.checks.punching_demand import Punching, column_demands, pile_demands
+from groundslab.design.en1992_2023.checks.punching_demand import (
+    Punching,
+    column_demands,
+    pile_demands,
+    zone_demands,
+)
 from groundslab.design.en1992_2023.checks.wall_ends import wall_demands
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.results import Results
@@ -33,13 +38,23 @@ def over_piles(combined: Results, steel: Reinforcement) -> Iterator[Calculation]
     return _governing(pile_demands(combined)[0], steel, "pile")
 
 
+def around_zones(combined: Results, steel: Reinforcement) -> Iterator[Calculation]:
+    """Yield the governing combination of each thicker zone with its steps; those that use most come first."""
+    return _governing(zone_demands(combined)[0], steel, "zone")
+
+
 def at_walls(combined: Results, steel: Reinforcement) -> Iterator[Calculation]:
     """Yield the governing combination of each end and corner of walls with its steps; those that use most first."""
     return _governing(wall_demands(combined), steel, None)
 
 
 #: The calculations by their names.
-STEPS = (("punching", at_columns), ("punching over piles", over_piles), ("punching at walls' ends", at_walls))
+STEPS = (
+    ("punching", at_columns),
+    ("punching over piles", over_piles),
+    ("punching around thicker zones", around_zones),
+    ("punching at walls' ends", at_walls),
+)
 
 
 def _governing(

@@ -31,6 +31,8 @@ def draw_sketch(model: Model, sketch: SketchedPerimeter, number: int, label: str
 
 def _figure(model: Model, sketch: SketchedPerimeter) -> Figure:
     """Return the sketch as a figure."""
+    from shapely import get_coordinates, get_parts, intersection
+
     line = sketch.line
     (x0, y0), (x1, y1) = _limits(sketch)
     per_meter = min((WIDTH - 2 * FREE) / (x1 - x0), HEIGHT / (y1 - y0))
@@ -45,6 +47,11 @@ def _figure(model: Model, sketch: SketchedPerimeter) -> Figure:
         for ring in (plate.ring(), *(hole.ring() for hole in plate.openings)):
             places = np.array(ring.flat(chord))
             axes.plot(*np.vstack([places, places[:1]]).T, color=style.INK, linewidth=1.1, zorder=3)
+        area = plate.ring().polygon(chord)
+        for zone in plate.zones:
+            if zone.thickness is not None:
+                for part in get_parts(intersection(zone.shape.ring().polygon(chord).exterior, area)):
+                    axes.plot(*get_coordinates(part).T, color=style.INK, linewidth=0.5, zorder=3)
     for column in model.columns:
         axes.fill(*np.array(column.ring().flat(chord)).T, facecolor=style.GREY, edgecolor=style.INK, zorder=4)
     for end in tangents(sketch):

@@ -102,7 +102,7 @@ def test_storeys_that_matter() -> None:
 def test_all_loads_on_the_slab_stay_what_they_are(results: gs.Results) -> None:
     """What the building adds is in equilibrium, in every combination by itself."""
     for one in results.values():
-        others = sum_of_others(one, outline(one.plate), None)
+        others = sum_of_others(one, outline(one.plate), ())
         factors = {f"\0{part} of {base.name}": float(getattr(base, part)[0])
                    for base in one.bases for part in ("force", "moment_x", "moment_y")}  # fmt: skip
         added = sum(factors[case] * force for case, force in others.items() if case in factors)

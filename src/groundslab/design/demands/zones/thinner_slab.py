@@ -1,0 +1,99 @@
+"""What counts of a perimeter that reaches slab thinner than where it starts.
+
+No code's formulas are in here: a code says what share of a length counts there. A leg in thinner slab becomes dashes,
+short parts of it that are together this share of it. So length, center, moduli and second moments of a perimeter are
+those of what counts.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from groundslab.arrays import Array
+from groundslab.design.demands.perimeter_loads import CORNER_REACH
+from groundslab.design.demands.perimeters import area_of, directed, outside
+from groundslab.fem import load_vectors
+from groundslab.fem.mesh import Mesh
+from groundslab.results.results import CombinationResult
+
+if TYPE_CHECKING:
+    from shapely import MultiPolygon, Polygon
+
+#: Dashes begin no farther from each other than this, over the effective depth.
+DASH = 0.1
+#: Thicknesses that differ by a smaller share are the same.
+SAME = 1e-9
+
+#: Of how much thinner the slab is [m], a perimeter's distance [m] and the effective depth where it starts [m]: the
+#: share of a length that counts there.
+Share = Callable[[float, float, float], float]
+
+
+@dataclass(frozen=True, slots=True)
+class ThinnerPart:
+    """A part of the plate that is thinner than where perimeters start."""
+
+    by: float  # [m]
+    region: Polygon | MultiPolygon
+
+
+def depth_share(by: float, _: float, d: float) -> float:
+    """Return the share of a length that counts by its effective depth alone."""
+    return max(0.0, 1 - by / d)
+
+
+def thinner_parts(
+    results: CombinationResult, footprint: Polygon, thickness: float, reach: float
+) -> tuple[ThinnerPart, ...]:
+    """Return the parts of the plate thinner than a thickness that perimeters reach within a distance [m]."""
+    plate, elements = results.plate, results.elements
+    if elements.thickness.min() >= (1 - SAME) * thickness:
+        return ()
+    mesh = Mesh(plate.nodes, plate.elements)
+    near = load_vectors.find_elements_near(mesh, footprint.buffer(CORNER_REACH * reach))
+    there = elements.thickness[near]
+    return tuple(
+        ThinnerPart(float(thickness - level), area_of(plate.nodes, plate.elements[near[there == level]]))
+        for level in np.unique(there)
+        if level < (1 - SAME) * thickness
+    )
+
+
+def counted(legs: Array, parts: Sequence[ThinnerPart], share: Share, distance: float, d: float) -> Array:
+    """Return what counts of the legs (l, 2, 2) [m] of a perimeter at a distance, d the depth where it starts [m]."""
+    from shapely import intersection, linestrings
+
+    for part in parts:
+        thinner = directed(legs, intersection(linestrings(legs), part.region))
+        if len(thinner):
+            dashes = _dashes(thinner, share(part.by, distance, d), DASH * d)
+            legs = np.concatenate([outside(legs, part.region), dashes])
+    return legs
+
+
+def shares_at(places: Array, distance: float, parts: Sequence[ThinnerPart], share: Share, d: float) -> Array:
+    """Return the share that counts at places (n, 2) [m] of a perimeter at a distance [m]."""
+    from shapely import contains_xy
+
+    shares = np.ones(len(places))
+    for part in parts:
+        shares[contains_xy(part.region, *places.T)] = share(part.by, distance, d)
+    return shares
+
+
+def _dashes(legs: Array, share: float, longest: float) -> Array:
+    """Return dashes (k, 2, 2) that are a share of legs (l, 2, 2), no farther from each other than a length [m]."""
+    if share <= 0:
+        return legs[:0]
+    run = legs[:, 1] - legs[:, 0]
+    counts = np.maximum(1, np.ceil(np.linalg.norm(run, axis=1) / longest)).astype(int)
+    leg = np.repeat(np.arange(len(legs)), counts)
+    number = np.arange(len(leg)) - np.repeat(np.cumsum(counts) - counts, counts)
+    middle = ((number + 0.5) / counts[leg])[:, None]
+    half = (share / 2 / counts[leg])[:, None]
+    start = legs[leg, 0]
+    return np.stack([start + (middle - half) * run[leg], start + (middle + half) * run[leg]], axis=1)
