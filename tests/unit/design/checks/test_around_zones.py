@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+import groundslab as gs
 from groundslab.design.aci318.checks import two_way, two_way_steps
 from groundslab.design.aci318.checks.two_way_demand import two_way as column_two_way
 from groundslab.design.aci318.checks.two_way_demand import zone_two_way
@@ -287,3 +288,38 @@ def test_the_table_has_a_row_for_each_zone_and_combination() -> None:
     assert table["load"] == pytest.approx((3e3, 3e3))
     known = zone_two_way(results(square(), inner, code="ACI 318"))[0]
     assert {name for _, name in known} == {"zone 2", "zones 1 and 2"}
+
+
+@pytest.mark.slow
+def test_what_is_turned_stays_as_it_is() -> None:
+    """A plate with a panel and its column off its middle, solved, and solved again turned by 30 degrees."""
+    demands_of = []
+    for angle in (0.0, 30.0):
+        c, s = math.cos(math.radians(angle)), math.sin(math.radians(angle))
+
+        def polygon(a: float, b: float, c: float = c, s: float = s) -> dict[str, Any]:
+            corners = ((-a, -b), (a, -b), (a, b), (-a, b))
+            return {"kind": "polygon", "points": [(c * x - s * y, s * x + c * y) for x, y in corners]}
+
+        column = {"name": "C", "x": c * 0.3, "y": s * 0.3, "width_x": 0.4, "width_y": 0.4, "angle": angle}
+        solved = gs.solve(
+            Model(
+                plate={
+                    "outline": polygon(3, 2.5), "thickness": 0.3, "E": 30e9, "nu": 0.2,
+                    "zones": [{"thickness": 0.6, "shape": polygon(1, 0.7)}],
+                },
+                ground={"kind": "winkler", "k": 20e6},
+                columns=[column],
+                cases=[{"name": "G"}],
+                loads=[{"kind": "point", "P": 1e6, "column": "C", "case": "G"}],
+                combinations=[{"name": "ULS", "factors": {"G": 1.35}}],
+                reinforcement={"f_ck": 30e6, "f_yk": 500e6, "bottom": (0.05, 0.05), "top": (0.05, 0.05)},
+                mesh={"size": 0.25},
+            )
+        )  # fmt: skip
+        demands_of.append(zone_demands(solved).found["ULS", "zone 1"].at_2d)
+    one, other = demands_of
+    assert one is not None
+    assert other is not None
+    assert other.u == pytest.approx(one.u, **CHORDS)
+    assert (other.V_Ed, other.beta) == pytest.approx((one.V_Ed, one.beta), rel=2e-3)

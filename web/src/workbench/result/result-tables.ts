@@ -15,7 +15,11 @@ const GROUPS: readonly { name: string; label: string; tables: Record<string, str
     tables: { combinations: "all combinations", extremes: "extremes", tilt: "tilt" },
   },
   { name: "envelope", label: "Envelope", tables: { envelope: "envelope" } },
-  { name: "columns", label: "Columns", tables: { column_envelope: "extremes", columns: "all combinations", zone_punching: "punching around zones" } },
+  {
+    name: "columns",
+    label: "Columns",
+    tables: { column_envelope: "extremes", columns: "all combinations", zone_punching: "punching around zones" },
+  },
   { name: "walls", label: "Walls", tables: { walls: "all combinations", wall_punching: "punching at ends" } },
   { name: "beams", label: "Beams", tables: { beams: "all combinations", beam_reinforcement: "reinforcement" } },
   { name: "building", label: "Building", tables: { building: "all combinations", storeys: "storeys" } },
