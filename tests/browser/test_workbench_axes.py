@@ -141,7 +141,7 @@ def test_rays_turn_and_rings_grow_with_their_columns(server: Server, bench: Benc
     [(_, x, y)] = _places(bench)
     assert (x, y) == pytest.approx((0.75, 1.5 * math.sqrt(0.75)))
     for before in ('distances = "1.2 m, 0.7 m"', 'distances = "1 m, 0.9 m"', "angles = [0, 45, 90]"):
-        bench.page.locator("svg.drawing").press("Control+z")
+        bench.page.locator(".drawing").press("Control+z")
         bench.until(lambda before=before: before in bench.text(), bench.text)
 
 
@@ -156,7 +156,7 @@ def test_names_of_axes_are_changed_with_what_hangs_on_them(server: Server, bench
     first.press("Enter")
     bench.wait_text('first = "L"', 'at = "L/2"')
     bench.wait_equal(lambda: bench.page.evaluate(BUBBLES), ["L", "M", "N", "1", "2"])
-    bench.page.locator("svg.drawing").press("Control+z")
+    bench.page.locator(".drawing").press("Control+z")
     bench.until(lambda: 'at = "A/2"' in bench.text() and 'first = "A"' in bench.text(), bench.text)
     rows = bench.page.locator(""".properties [data-path='["axes",0,"names"]'] input""")
     rows.fill("X, Y, Z")

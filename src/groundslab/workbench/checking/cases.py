@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from groundslab.model.combinations import list_unmoved
+from groundslab.model.loads.patterns import position_names
 from groundslab.model.remarks.case_use import case_uses
 from groundslab.model.remarks.resultants import case_sums, middle
 from groundslab.unit_systems import in_system
@@ -32,13 +33,14 @@ def cases_to_json(model: Model, combinations: Sequence[Combination]) -> dict[str
     -------
     dict
         ``about`` and ``length``: the place that moments are about and its unit; ``force`` and ``moment``: units of the
-        sums; ``cases``: name, F, M_x and M_y, and whether the case acts in any combination; ``made``: name, limit
-        state, rule and factors by case of the combinations that the program makes.
+        sums; ``cases``: name, F, M_x and M_y, whether the case acts in any combination, and the names of its positions
+        if it moves, at each of which combinations with it are solved; ``made``: name, limit state, rule and factors by
+        case of the combinations that the program makes.
     """
     length, force, moment = (
         in_system(unit, model.units) for unit in (UNITS["m"], MAGNITUDES["force"], MAGNITUDES["moment"])
     )
-    sums = case_sums(model)
+    sums, positions = case_sums(model), position_names(model.moves)
 
     def case(name: str, acts: bool) -> dict[str, Any]:
         total = sums[name]
@@ -48,6 +50,7 @@ def cases_to_json(model: Model, combinations: Sequence[Combination]) -> dict[str
             "M_x": total.M_x * moment.scale,
             "M_y": total.M_y * moment.scale,
             "acts": acts,
+            "positions": list(positions.get(name, ())),
         }
 
     made = list_unmoved(model)[len(model.combinations) :] if model.cases else ()

@@ -3,12 +3,14 @@ import { allow, button, fillOptions, h, setRead, setText, verbatim } from "../..
 import type { Store } from "../client/store";
 import { type RowBox, rowsInView } from "../controls/virtual-rows";
 import { type FormContext, setValue } from "../form/context";
+import { partWidget } from "../form/section";
 import { caseColor } from "../model/case-colors";
 import {
   addCombination,
   type CaseSums,
   type Combination,
   listedCombinations,
+  positionsOf,
   setExpression,
   setFactor,
 } from "../model/changes/load-cases";
@@ -58,6 +60,8 @@ export class Matrix {
     { class: "matrix-box", tabindex: 0, role: "region", "aria-label": "combinations" },
     this.table,
   );
+  private readonly rules: ReturnType<typeof partWidget>;
+  private readonly rulesFold: HTMLDetailsElement;
   private readonly add: HTMLButtonElement;
   private readonly box: RowBox = { scroller: this.scroller, head: this.head, height: ROW_HEIGHT, margin: 10 };
   private sums: CaseSums | null = null;
@@ -85,7 +89,9 @@ export class Matrix {
       this.add,
       this.count,
     );
-    this.element = h("section", { class: "matrix-part" }, bar, this.scroller);
+    this.rules = partWidget(ctx, ["combine"], ctx.schema.nodeAt(["combine"], { combine: {} })!.node, ["expression"]);
+    this.rulesFold = h("details", { class: "rules" }, h("summary", {}, "Limit states and factors"), this.rules.element);
+    this.element = h("section", { class: "matrix-part" }, bar, this.rulesFold, this.scroller);
     this.scroller.addEventListener("scroll", () => this.draw());
     this.scroller.addEventListener("focusout", () => setTimeout(changed));
     this.isChanging = duringChange(this.scroller, changed);
@@ -100,6 +106,8 @@ export class Matrix {
     this.cases = namesIn(listAt(data, ["cases"]));
     const why = this.cases.length === 0 ? "Add a load case first." : "";
     for (const control of [this.made, this.add]) allow(control, why);
+    this.rulesFold.hidden = !("combine" in data);
+    if (!this.rulesFold.hidden) this.rules.update();
     this.draw();
   }
 
@@ -120,14 +128,22 @@ export class Matrix {
   }
 
   private makeHead(): HTMLElement {
-    const cases = this.cases.map((name, n) =>
-      h(
+    const cases = this.cases.map((name, n) => {
+      const positions = positionsOf(this.sums, name);
+      const title = verbatim([name, ...positions].join("\n"));
+      return h(
         "th",
-        { scope: "col", class: "number", title: verbatim(name), style: `--case-color:${caseColor(n)}` },
+        {
+          scope: "col",
+          class: positions.length > 0 ? "number moving" : "number",
+          title,
+          style: `--case-color:${caseColor(n)}`,
+        },
         h("span", { class: "swatch", "aria-hidden": "true" }),
         verbatim(name),
-      ),
-    );
+        positions.length > 0 ? positionsNote(positions) : null,
+      );
+    });
     return h(
       "tr",
       { "aria-rowindex": 1 },
@@ -209,6 +225,12 @@ export class Matrix {
     const path: Path = isOnly ? ["combinations"] : ["combinations", at];
     this.ctx.change({ edits: [{ op: "remove", path }], text: `remove combination ${name}` });
   }
+}
+
+/** Return how many positions a case has, at each of which combinations are solved, with the first and the last one. */
+function positionsNote(positions: readonly string[]): HTMLElement {
+  const ends = verbatim(`${positions[0]} … ${positions.at(-1)}`);
+  return h("span", { class: "positions" }, `${positions.length} positions`, h("span", {}, ends));
 }
 
 function factorText(factor: number | undefined): string {

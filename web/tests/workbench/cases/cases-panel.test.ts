@@ -106,3 +106,36 @@ test("of hundreds of combinations those in view are in the page; factors that ar
   expect(document.querySelector(".matrix-part [role=status]")!.textContent).toBe("250 of 501 shown");
   expect(field("factor of G in mine")).toBeNull();
 });
+
+test("a case that moves says at how many positions combinations are solved, the first and the last", () => {
+  const moving = { name: "truck", F: 1, M_x: 0, M_y: 0, acts: true };
+  const positions = ["truck at 0.00 m", "truck at 1.00 m", "truck at 1.50 m"];
+  const cases = [
+    { ...moving, positions },
+    { ...moving, name: "G", positions: [] },
+  ];
+  const sums = { about: [0, 0], length: "m", force: "kN", moment: "kNm", cases, made: [] } as DocState["cases"];
+  show({ cases: [{ name: "G" }, { name: "truck" }] }, { cases: sums! });
+  const [, , own, other] = document.querySelectorAll<HTMLElement>(".matrix thead th");
+  expect(own!.textContent).toBe("G");
+  expect(other!.textContent).toBe("truck3 positionsat 0.00 m … at 1.50 m");
+  expect(other!.title).toBe("truck\nat 0.00 m\nat 1.00 m\nat 1.50 m");
+});
+
+test("limit states and factors of made combinations are edited beside them", () => {
+  const { store } = show({ cases: [{ name: "G" }], combine: { sets: ["ultimate"] } });
+  const rules = document.querySelector<HTMLDetailsElement>(".rules")!;
+  expect(rules.hidden).toBe(false);
+  const box = rules.querySelector<HTMLInputElement>('input[value="frequent"]')!;
+  box.checked = true;
+  box.dispatchEvent(new Event("change", { bubbles: true }));
+  expect(store.data.combine).toEqual({ sets: ["ultimate", "frequent"] });
+  const unfavourable = rules.querySelector<HTMLInputElement>(`[data-path='["combine","permanent"]'] input`)!;
+  unfavourable.focus();
+  unfavourable.value = "1,2";
+  unfavourable.dispatchEvent(new Event("input", { bubbles: true }));
+  unfavourable.dispatchEvent(new Event("change", { bubbles: true }));
+  expect(store.data.combine).toMatchObject({ permanent: [1.2, 1] });
+  expect(rules.querySelector(`[data-path='["combine","expression"]']`)).toBeNull();
+  store.setDoc({ ...store.doc!, data: { cases: [{ name: "G" }] } });
+});

@@ -31,7 +31,7 @@ export interface CaseSums {
   length: string;
   force: string;
   moment: string;
-  cases: readonly { name: string; F: number; M_x: number; M_y: number; acts: boolean }[];
+  cases: readonly { name: string; F: number; M_x: number; M_y: number; acts: boolean; positions?: readonly string[] }[];
   made: readonly Combination[];
 }
 
@@ -191,6 +191,12 @@ export function listedCombinations(data: Table): Combination[] {
       factors: Object.fromEntries(numbers),
     };
   });
+}
+
+/** Return the names of the positions of a case that moves, without its own name; none of one that stands. */
+export function positionsOf(sums: CaseSums | null, name: string): string[] {
+  const positions = sums?.cases.find((each) => each.name === name)?.positions ?? [];
+  return positions.map((each) => each.slice(name.length).trim());
 }
 
 /** Return the change that adds a combination, in which every case has the factor 1. */
