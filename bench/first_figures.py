@@ -1,12 +1,14 @@
 """The workbench in a browser: seconds to the first picture and figures, to those of a finished mesh, and to the end.
 
-    python bench/first_figures.py                      # three slabs of bench/slabs, into bench/first_figures.json
+    python bench/first_figures.py                      # four slabs of bench/slabs, into bench/first_figures.json
     python bench/first_figures.py CASE.toml ...        # some cases, printed alone
 
 Size, counts and refinements are taken out of each case. It is opened in a workbench that solves by itself, on one
 thread; time runs from that moment. What the page shows is looked at every few milliseconds: a picture and figures, both
 of a preview of one combination if that comes first; figures of all combinations on the first mesh, checks with them,
-and results whose mesh is refined no more.
+and results whose mesh is refined no more. Then the same case is opened in a workbench that does not solve by itself:
+`solve` is from F9 to the first figures. `cpu` and `cpu_solve` are the seconds of processor time that the processes of
+the server take until the first figures, which do not depend on what else the machine does.
 """
 
 from __future__ import annotations
@@ -24,9 +26,11 @@ from helpers.browsing import ARGUMENTS, Bench, SharedServer, chromium, missing  
 
 SLABS, RESULTS = HERE / "slabs", HERE / "first_figures.json"
 #: Foundations that engineers built by mouse.
-BUILT = ("l_raft_ten_columns", "floor_forklift", "tank_ring")
+BUILT = ("l_raft_ten_columns", "floor_forklift", "tank_ring", "core_raft")
 #: A case is given up after so many seconds.
 LIMIT = 580.0
+#: Processes that take less in a second do nothing [s].
+IDLE = 0.05
 #: What is seen of a run, in the page.
 SEEN = """() => {
   const shown = (selector) => { const e = document.querySelector(selector); return e !== null && e.checkVisibility(); };
@@ -74,15 +78,47 @@ def watch(server: SharedServer, case: Path, found: Row) -> None:
         bench = Bench(browser.new_page(viewport={"width": 1366, "height": 768}))
         bench.page.add_init_script("localStorage.setItem('groundslab-tour', 'taken')")
         bench.open(server.start(None))
-        start = time.perf_counter()
+        wait_until_idle(server, bench)
+        start, before = time.perf_counter(), processor_time(server)
         server.start(case)
         while found["end"] is None and time.perf_counter() - start < LIMIT:
             seen = bench.page.evaluate(SEEN)
             for name in seen:
                 if seen[name] and found[name] is None:
                     found[name] = round(time.perf_counter() - start, 1)
+                    if name == "first":
+                        found["cpu"] = round(processor_time(server) - before, 1)
             bench.page.wait_for_timeout(20)
+        found["solve"], found["cpu_solve"] = press_solve(server, bench, case)
         browser.close()
+
+
+def press_solve(server: SharedServer, bench: Bench, case: Path) -> tuple[float, float]:
+    """Return the seconds from F9 to the first figures of a case that is not solved by itself, and processor time."""
+    server.start(case, by_itself=False)
+    wait_until_idle(server, bench)
+    start, before = time.perf_counter(), processor_time(server)
+    bench.page.keyboard.press("F9")
+    bench.page.wait_for_selector(".result-full .figures tr")
+    return round(time.perf_counter() - start, 1), round(processor_time(server) - before, 1)
+
+
+def wait_until_idle(server: SharedServer, bench: Bench) -> None:
+    """Wait until the processes of the server do nothing: they have warmed up, and the text is checked."""
+    before = -1.0
+    while processor_time(server) - before > IDLE:
+        before = processor_time(server)
+        bench.page.wait_for_timeout(1000)
+
+
+def processor_time(server: SharedServer) -> float:
+    """Return the processor time of the server and of the processes that it started [s]."""
+    import psutil
+
+    assert server.process is not None
+    parent = psutil.Process(server.process.pid)
+    times = [process.cpu_times() for process in (parent, *parent.children(recursive=True))]
+    return sum(each.user + each.system for each in times)
 
 
 def main() -> None:

@@ -129,8 +129,11 @@ class Server:
 class SharedServer(Server):
     """One workbench for many tests; each of them begins with a document of its own, as after a start."""
 
-    def start(self, case: Path | None, port: int = 0, command: str = "app") -> str:
-        """Show a case, or a new one, in place of the document of the test before; returns the address of the page."""
+    def start(self, case: Path | None, port: int = 0, command: str = "app", by_itself: bool = True) -> str:
+        """Show a case, or a new one, in place of the document of the test before; returns the address of the page.
+
+        It is solved by itself, or when that is asked for.
+        """
         assert (port, command) == (0, "app"), "that takes a server of its own"
         if self.process is None or self.process.poll() is not None:
             super().start(None)
@@ -138,7 +141,7 @@ class SharedServer(Server):
         self._post("new")
         for path in self.state.rglob("unsaved/*"):
             path.unlink()
-        self._post("autosolve", on=True)
+        self._post("autosolve", on=by_itself)
         self._post("new") if case is None else self._post("open", file=str(case))
         return self.url
 
@@ -264,8 +267,8 @@ class Bench:
         self.until(lambda: words in self.seen(selector), lambda: f"{words!r} in {self.seen(selector)!r}")
 
     def wait_solved(self) -> None:
-        """Wait until a result of the present model is shown."""
-        self.page.wait_for_selector('.result-status[data-state="fresh"]')
+        """Wait until a result of the present model is shown, also of a design that fails or needs attention."""
+        self.page.wait_for_selector('.result-status:is([data-state="fresh"], [data-state="failing"])')
         self.page.wait_for_selector('.result[aria-busy="false"] .result-full:not([hidden])')
 
     def largest(self, label: str) -> float:

@@ -40,8 +40,19 @@ PROGRESS_INTERVAL = 0.1
 #: A run that has no results after so long shows a preview [s].
 PREVIEW_AFTER = 1.5
 #: It begins with one where the run before had no results after so long [s], or, of the first run, where there are more
-#: elements times combinations than are solved in that time.
-SLOW, MUCH_WORK = 2.0, 8000
+#: elements times combinations than are solved soon.
+SLOW, MUCH_WORK = 1.0, 8000
+#: What the case that warms up has besides: a load at a point, and a mesh for an accuracy.
+WARMING = """
+[[loads]]
+kind = "point"
+P = "50 kN"
+x = "1 m"
+y = "0.5 m"
+
+[mesh]
+accuracy = "15 %"
+"""
 #: The files about a run that can be asked for.
 FILES = ("report", "archive")
 #: A report on results whose case has changed since.
@@ -146,11 +157,16 @@ def solve(text: str, progress: Progress) -> tuple[Answer, bytes, Solved]:
 
 
 def _is_slow(model: Model, count: int, before: float | None) -> bool:
-    """Return whether the first results of so many combinations are far, by the run before or by the work for them."""
+    """Return whether the first results of so many combinations are far, by the run before or by the work for them.
+
+    A mesh for an accuracy follows all that there is on a slab: it has far more elements than its size tells.
+    """
     from groundslab.model.consistency import estimate_elements
 
     if before is not None:
         return before > SLOW
+    if model.mesh.adaptive and (count > 1 or not model.plain):
+        return True
     return estimate_elements(model.plate, model.plates, model.mesh) * count > MUCH_WORK
 
 
@@ -197,10 +213,10 @@ def _show_preview(model: Model, progress: Progress, name: str) -> None:
 
 
 def warm_up(progress: Progress) -> None:
-    """Solve a small case, so that the libraries are loaded before the first run."""
+    """Solve a small case, so that the libraries are loaded before the first run, those of the mesher too."""
     from groundslab.case import casefile
 
-    solve(casefile.starter() + '\n[mesh]\nsize = "0.5 m"\n', progress)
+    solve(casefile.starter() + WARMING, progress)
 
 
 def main(pipe: Connection, stop: Any, task: Task, prepare: Prepare | None) -> None:

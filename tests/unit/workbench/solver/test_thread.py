@@ -466,6 +466,19 @@ def test_a_quick_run_has_no_preview(
     assert 0.0 < answer.first <= answer.seconds
 
 
+@pytest.mark.parametrize(
+    ("more", "shows"), [("", False), ('\n[[plate.openings]]\nkind = "circle"\nradius = "0.5 m"\n', True)]
+)
+def test_a_mesh_for_an_accuracy_begins_with_a_preview(monkeypatch: pytest.MonkeyPatch, more: str, shows: bool) -> None:
+    """It follows all that is on a slab, so that its size does not tell the work; a plain rectangle has none."""
+    previews: list[bytes] = []
+    monkeypatch.setattr(process, "PREVIEW_AFTER", PATIENCE)
+    show = lambda *shown: previews.append(shown[-1])  # noqa: E731
+    text = casefile.starter() + '\n[mesh]\naccuracy = "50 %"\n\n' + more
+    process.solve(text, Progress(lambda *_: None, show, ""))
+    assert bool(previews) is shows
+
+
 def test_every_mesh_but_the_last_has_provisional_results() -> None:
     """On the first one at once and again with checks and tables, on the others with them; it goes on from each."""
     kept: list[tuple[Answer, bytes, process.Solved]] = []
