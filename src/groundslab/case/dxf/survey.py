@@ -22,6 +22,8 @@ if TYPE_CHECKING:
 
 #: Points of lines that are shown at most.
 MOST_POINTS = 50_000
+#: Names of layers that often hold the outline of a slab, suggested where no layer has the usual one.
+SLABS = frozenset(("base", "plate", "raft", "slab", "bodenplatte", "sohle", "dalle", "radier", "losa", "płyta"))
 
 
 @dataclass(slots=True)
@@ -82,6 +84,7 @@ def survey(path: str | Path) -> Survey:
             (layer.lines if straight else layer.curves).append(points)
     if left:
         remarks.append(f"{left:,} lines are not shown, as there are more than {MOST_POINTS:,} points")
+    _suggest_outline(list(layers.values()))
     ordered = sorted(layers.values(), key=lambda layer: (layer.role is None, layer.name.lower()))
     return Survey(None if unit is None else context.unit, float(context.scale), tuple(ordered), tuple(remarks))
 
@@ -111,6 +114,13 @@ def _describe_layer(document: Document, name: str) -> LayerContent:
     role = Roles({getattr(usual, role_name).lower(): role_name for role_name in Layers.__dataclass_fields__}).of(name)
     known = document.layers.get(name) if document.layers.has_entry(name) else None
     return LayerContent(name, role, known is not None and (known.is_frozen() or known.is_off()))
+
+
+def _suggest_outline(layers: list[LayerContent]) -> None:
+    """Let the one layer that is called like a slab hold the outline, if none has the usual name."""
+    slabs = [layer for layer in layers if layer.role is None and layer.name.lower() in SLABS]
+    if len(slabs) == 1 and all(layer.role != "outline" for layer in layers):
+        slabs[0].role = "outline"
 
 
 def _parts_of(entity: DXFEntity, layer: LayerContent, context: ReadContext) -> list[tuple[list[Place], bool]]:

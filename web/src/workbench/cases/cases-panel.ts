@@ -2,7 +2,7 @@
 import { button, fillOptions, h, setText, verbatim } from "../../viewer/shared/dom";
 import type { Store } from "../client/store";
 import type { FormContext } from "../form/context";
-import { CASE_TYPES, type CaseSums, caseOf, lacksVariable, meaningOf } from "../model/changes/load-cases";
+import { CASE_TYPES, type CaseSums, caseOf, lacksVariable, meaningOf, usualName } from "../model/changes/load-cases";
 import { addLoadCase, countUncased } from "../model/changes/new-items";
 import { freeName, namesIn } from "../model/names";
 import { listAt } from "../model/paths";
@@ -72,7 +72,7 @@ function addForm(store: Store, ctx: FormContext) {
   };
   const add = () => {
     const names = namesIn(listAt(store.data, ["cases"]));
-    const own = freeName(names, name.value.trim() || (type.value === "permanent" ? "G" : "Q"));
+    const own = freeName(names, name.value.trim() || usualName(store.data, type.value));
     const owner = !others.hidden && others.value === "apart" ? freeName([own], "permanent") : own;
     ctx.change(addLoadCase(store.data, own, caseOf(type.value), owner));
     name.value = "";

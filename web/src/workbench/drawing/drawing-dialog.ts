@@ -16,8 +16,8 @@ import "./drawing.css";
 
 /** What the dialog is used for. */
 export interface DrawingUses {
-  /** Make a case; returns why it cannot be made, empty if it was. */
-  makeCase(choice: DrawingChoice, shown: boolean): Promise<string>;
+  /** Make a case, what no drawing holds as in a new one if that is wanted; returns why it cannot be made, empty if it was. */
+  makeCase(choice: DrawingChoice, shown: boolean, asNew: boolean): Promise<string>;
   /** Show the drawing below the plan. */
   showBelow(choice: DrawingChoice): void;
 }
@@ -42,6 +42,7 @@ class DrawingDialog {
   );
   private readonly gap = h("input", { id: newId("gap"), value: "1 mm", size: 7, maxlength: 20 });
   private readonly shown = h("input", { type: "checkbox", checked: true });
+  private readonly asNew = h("input", { type: "checkbox", checked: true });
   private readonly message = h("p", { class: "messages", role: "alert" });
   private readonly make = h("button", { type: "submit", class: "main" }, "Create case");
   private readonly preview: ReturnType<typeof drawPreview>;
@@ -126,6 +127,7 @@ class DrawingDialog {
       h("label", { for: this.origin.id }, "origin", this.origin),
       h("label", { for: this.gap.id }, "close gaps up to", this.gap),
       h("label", {}, this.shown, "show the drawing under the plan"),
+      h("label", {}, this.asNew, "concrete, ground and self-weight as in a new case"),
     );
   }
 
@@ -168,7 +170,7 @@ class DrawingDialog {
     if (this.make.disabled) return;
     this.make.disabled = true;
     setText(this.message, "Reading the drawing …");
-    const problem = await this.uses.makeCase(this.choice, this.shown.checked);
+    const problem = await this.uses.makeCase(this.choice, this.shown.checked, this.asNew.checked);
     if (problem === "") return this.close();
     this.make.disabled = false;
     setText(this.message, problem);

@@ -2,12 +2,17 @@
 
 import type { Api, DocState, Refused } from "../client/api";
 import type { Store } from "../client/store";
+import { fillAsNew } from "../model/changes/new-items";
+import type { Change } from "../model/edits";
 import { centeringOffset, type DrawingChoice, type Survey } from "../model/survey";
 import { askAboutDrawing } from "./drawing-dialog";
 import { showReport } from "./report";
 
 const MISSING =
   "Drawings do not include properties such as the thickness and the ground. The list of errors shows what is still missing.";
+
+const FILLED =
+  "Concrete, ground and self-weight are those of a new case: check them. The list of errors shows what is still missing.";
 
 /** Whether a file is a drawing by its name. */
 export function isDrawing(file: string): boolean {
@@ -18,6 +23,8 @@ export function isDrawing(file: string): boolean {
 export interface DrawingOpener {
   api: Pick<Api, "surveyDrawing" | "openDrawing">;
   store: Store;
+  /** Change the document. */
+  push(change: Change): void;
   /** Do something with the server after all edits have been sent; returns whether it went well. */
   run(run: () => Promise<void>): Promise<boolean>;
   /** Ask what to do with unsaved work; returns whether the document may be left. */
@@ -39,7 +46,11 @@ export async function openDrawing(file: string, opener: DrawingOpener): Promise<
   const survey = answer as Survey | null;
   if (!isRead || !survey) return;
   await askAboutDrawing(name, survey, {
-    makeCase: (choice, shown) => makeCase(file, name, survey, choice, shown, opener),
+    makeCase: async (choice, shown, asNew) => {
+      const problem = await makeCase(file, name, survey, choice, shown, asNew, opener);
+      if (problem === "" && asNew) opener.push(fillAsNew(store.data));
+      return problem;
+    },
     showBelow: (choice) => {
       const offset = choice.centered ? centeringOffset(survey, choice.unit) : ([0, 0] as [number, number]);
       store.set("underlay", { name, survey, unit: choice.unit, offset, shown: true });
@@ -54,6 +65,7 @@ async function makeCase(
   survey: Survey,
   choice: DrawingChoice,
   shown: boolean,
+  asNew: boolean,
   { api, store, leave, replace }: DrawingOpener,
 ): Promise<string> {
   if (!(await leave())) return "The current case stays open.";
@@ -73,6 +85,6 @@ async function makeCase(
   if (!isMade) return problem;
   const offset: [number, number] = [0 - origin[0], 0 - origin[1]];
   store.set("underlay", { name, survey, unit: choice.unit, offset, shown });
-  showReport(name, MISSING, report);
+  showReport(name, asNew ? FILLED : MISSING, report);
   return "";
 }

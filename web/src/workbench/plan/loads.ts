@@ -64,6 +64,7 @@ export function unplacedLoads(store: Store, push: (change: Change) => void, { lo
   const adds = [
     ["UniformLoad", "uniform load"],
     ["SelfWeight", "self-weight"],
+    ["TemperatureLoad", "temperature"],
   ].map(([definition = "", text = ""]) =>
     button(
       verbatim(`+ ${translate(text)}`),

@@ -1,7 +1,7 @@
 // What a new load case is asked for: its name, its action, and where loads belong that had no case before the first one.
 import { fillOptions, h, setRead } from "../../viewer/shared/dom";
 import type { Store } from "../client/store";
-import { CASE_TYPES, caseOf, meaningOf } from "../model/changes/load-cases";
+import { CASE_TYPES, caseOf, meaningOf, usualName } from "../model/changes/load-cases";
 import { addLoadCase, countUncased } from "../model/changes/new-items";
 import type { Change } from "../model/edits";
 import { freeName, namesIn } from "../model/names";
@@ -13,9 +13,14 @@ export interface NewCase {
   show(isAsked: boolean): void;
 }
 
-/** The fields of a new load case; it is made as soon as all are filled in. `done` is called with its name, or without one. */
+/**
+ * The fields of a new load case; it is made as soon as its action is chosen, without a name with a usual one. `done` is
+ * called with its name, or without one.
+ *
+ * Loads that had no case go to a permanent one without a question; whoever wants them apart says so first.
+ */
 export function newCase(store: Store, push: (change: Change) => void, done: (name: string | null) => void): NewCase {
-  const name = h("input", { "aria-label": "name of the new load case", placeholder: "name, then Enter" });
+  const name = h("input", { "aria-label": "name of the new load case", placeholder: "name" });
   const action = h("select", { "aria-label": "action of the new load case" });
   const others = h("select", { "aria-label": "loads without a case" });
   const element = h("span", { class: "new-case", hidden: true }, name, action, others);
@@ -41,10 +46,11 @@ export function newCase(store: Store, push: (change: Change) => void, done: (nam
   };
   const isKnown = () => namesIn(listAt(store.data, ["cases"])).includes(name.value.trim());
   const goOn = () => {
-    const text = name.value.trim();
-    if (store.broken || !text) return name.focus();
+    if (store.broken) return name.focus();
+    const text = name.value.trim() || (action.value && usualName(store.data, action.value));
     if (!isKnown()) {
-      if (!action.value) return action.focus();
+      if (!text || !action.value) return action.focus();
+      if (!others.hidden && !others.value && action.value === "permanent") others.value = "in it";
       if (!others.hidden && !others.value) return others.focus();
       const owner = others.value === "apart" ? ownCase() : text;
       push(addLoadCase(store.data, text, caseOf(action.value), owner));

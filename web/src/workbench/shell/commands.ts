@@ -116,6 +116,7 @@ export class Commands {
     return openDrawing(file, {
       api: this.api,
       store: this.store,
+      push: (change) => this.queue.push(change),
       run: (run) => this.run(run),
       leave: () => this.confirmLeaving(),
       replace: (make, refused) => this.replace(make, refused),

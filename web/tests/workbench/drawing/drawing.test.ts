@@ -4,6 +4,9 @@ import { describe, expect, it } from "vitest";
 import { Camera } from "../../../src/viewer/plan/camera";
 import { askAboutDrawing } from "../../../src/workbench/drawing/drawing-dialog";
 import { isDrawing } from "../../../src/workbench/drawing/open-drawing";
+import { fillAsNew } from "../../../src/workbench/model/changes/new-items";
+import { applyOptimistic } from "../../../src/workbench/model/changes/optimistic-edits";
+import type { Table } from "../../../src/workbench/model/paths";
 import {
   boundsOfLayers,
   centeringOffset,
@@ -59,6 +62,13 @@ describe("a drawing", () => {
     expect(findProblem({ ...choice, layers: { SLAB: "columns" } })).toBe("Choose the layer with the outline.");
     expect(findProblem({ ...choice, unit: "" })).toContain("unit");
   });
+});
+
+it("becomes a case with concrete, ground and self-weight, but for those that are there", () => {
+  const data = { plate: { E: "33 GPa", thickness: "400 mm" } };
+  const made = fillAsNew(data).edits.reduce<Table>(applyOptimistic, data);
+  expect(made).toMatchObject({ plate: { E: "33 GPa", nu: 0.2 }, ground: { kind: "vlasov" } });
+  expect(made.loads).toEqual([{ kind: "self weight", unit_weight: "25 kN/m^3" }]);
 });
 
 describe("the dialog", () => {

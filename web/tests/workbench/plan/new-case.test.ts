@@ -76,6 +76,15 @@ test("a case that is there is chosen, and Escape makes none", () => {
   expect(second.field("name of the new load case").parentElement?.hidden).toBe(true);
 });
 
+test("without a name a case is called as is usual, and a permanent one takes the loads there are", () => {
+  const { type, after } = plan({ loads: [WEIGHT] });
+  type("action of the new load case", "permanent");
+  expect(after()).toEqual({ cases: [{ name: "G", action: "permanent" }], loads: [{ ...WEIGHT, case: "G" }] });
+  const second = plan({ cases: [{ name: "G" }, { name: "Q", action: "variable" }] });
+  second.type("action of the new load case", "B");
+  expect(second.after().cases).toContainEqual({ name: "Q 2", action: "variable", category: "B" });
+});
+
 test("a second case is asked again", () => {
   const { push, type } = plan({ cases: [{ name: "G" }] });
   type("name of the new load case", "Q", "Enter");

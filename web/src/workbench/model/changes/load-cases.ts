@@ -55,10 +55,25 @@ export const CASE_TYPES: readonly { id: string; label: string }[] = [
   { id: "seismic", label: "seismic" },
 ];
 const ACTIONS = ["permanent", "variable", "accidental", "seismic"];
+//: what load cases of a type are usually called, all others Q
+const LETTERS: Readonly<Record<string, string>> = {
+  permanent: "G",
+  snow: "S",
+  "snow above 1000 m": "S",
+  wind: "W",
+  temperature: "T",
+  accidental: "A",
+  seismic: "E",
+};
 
 /** Return the keys of a load case of a type. */
 export function caseOf(type: string): Table {
   return ACTIONS.includes(type) ? { action: type } : { action: "variable", category: type };
+}
+
+/** Return a name for a new load case of a type that no other one has. */
+export function usualName(data: Table, type: string): string {
+  return freeName(namesIn(listAt(data, ["cases"])), LETTERS[type] ?? "Q");
 }
 
 /** Return the type of a load case. */

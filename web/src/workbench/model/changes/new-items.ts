@@ -79,8 +79,8 @@ export function addShape(kind: NewKind, data: Table, drawn: DrawnShape, loadCase
     case "void":
       return addItem(data, ["contact", "voids"], { ...defaultsFor("Void", data), ...place }, kind);
     case "area load": {
-      const load = defaultsFor(drawn.kind === "rectangle" ? "PatchLoad" : "AreaLoad", data);
-      return addItem(data, ["loads"], { ...load, ...inCase(data, loadCase), ...place }, kind);
+      const load = drawn.kind === "rectangle" ? "PatchLoad" : "AreaLoad";
+      return addItem(data, ["loads"], { ...likeLast(data, load, inCase(data, loadCase)), ...place }, kind);
     }
     default:
       return { change: { edits: outlineEdits(data, shape), text: "draw the slab" }, path: ["plate", "outline"] };
@@ -120,6 +120,16 @@ export function outlineEdits(data: Table, outline: Table): Edit[] {
   ];
 }
 
+/** Return the change that gives a case made of a drawing what a new one has: concrete, ground and self-weight. */
+export function fillAsNew(data: Table): Change {
+  const { E, nu } = defaultsFor("Plate", data) as Record<string, Json>;
+  const missing = Object.entries({ E: E!, nu: nu! }).filter(([key]) => !(key in tableAt(data, ["plate"])));
+  const edits = missing.map(([key, value]): Edit => ({ op: "set", path: ["plate", key], value }));
+  if (!isTable(data.ground)) edits.push({ op: "set", path: ["ground"], value: defaultsFor("Vlasov", data) });
+  edits.push({ op: "add", path: ["loads"], value: defaultsFor("SelfWeight", data) });
+  return { edits, text: "concrete, ground and self-weight as in a new case" };
+}
+
 /** Return the change that adds a drawn line. */
 export function addLine(kind: NewKind, data: Table, line: Ring, loadCase: string): Addition {
   const points = line.map(toText);
@@ -147,7 +157,7 @@ function addAlong(kind: NewKind, data: Table, line: Table, loadCase: string): Ad
     const name = freeName(namesIn(listAt(data, ["beams"])), "B1");
     return addItem(data, ["beams"], { name, ...line, section: beamSection(data) }, `beam ${name}`);
   }
-  const load = { ...defaultsFor("LineLoad", data), ...inCase(data, loadCase), ...line };
+  const load = { ...likeLast(data, "LineLoad", inCase(data, loadCase)), ...line };
   return addItem(data, ["loads"], load, "line load");
 }
 
@@ -176,12 +186,18 @@ export function addPoint(kind: NewKind, data: Table, at: Point, loadCase: string
     return addItem(data, ["columns"], { name, ...place, ...columnSize(data) }, `column ${name}`);
   }
   const column = columnAt(data, at);
-  const value = {
-    ...defaultsFor("PointLoad", data),
-    ...inCase(data, loadCase),
-    ...(column === null ? place : { column }),
-  };
+  const load = likeLast(data, "PointLoad", inCase(data, loadCase));
+  const value = { ...load, ...(column === null ? place : { column }) };
   return addItem(data, ["loads"], value, "point load");
+}
+
+/** Return a new load with the size of the last one of its kind in the same case, else a usual one. */
+function likeLast(data: Table, definition: string, own: Table): Table {
+  const usual = defaultsFor(definition, data);
+  const isLike = (load: Json) => isTable(load) && load.kind === usual.kind && load.case === own.case;
+  const last = listAt(data, ["loads"]).filter(isTable).findLast(isLike) ?? {};
+  const size = Object.fromEntries(Object.entries(last).filter(([key]) => ["P", "q"].includes(key)));
+  return { ...usual, ...size, ...own };
 }
 
 /** Return the cross-section of the last column, else a usual one. */

@@ -145,7 +145,9 @@ export class ActionDialog {
 
   private makeRow(form: ActionForm | Generator, { key, label, is, initial, options }: ActionField): HTMLElement {
     const { all, active } = this.actions.cases;
-    const value = is === "case" ? active : (this.typed.get(`${form.name} ${key}`) ?? initial);
+    const other = all.find((name) => name !== active) ?? active; // for loads in a second case
+    const value =
+      is === "case" ? (key === "case" ? active : other) : (this.typed.get(`${form.name} ${key}`) ?? initial);
     const choices = is === "case" ? all : (options ?? []);
     const attributes = { name: key, "data-is": is };
     const input =

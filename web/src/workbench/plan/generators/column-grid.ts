@@ -2,6 +2,7 @@
 
 import { axesIn, crossingsOf, letters } from "../../model/axes";
 import { attach } from "../../model/changes/attachment";
+import { applyOptimistic } from "../../model/changes/optimistic-edits";
 import { Impossible } from "../../model/changes/transform";
 import type { Edit } from "../../model/edits";
 import { isInside, nearestOnSegment, type Point, type Ring, ringOf } from "../../model/geometry";
@@ -26,7 +27,7 @@ export const COLUMN_GRID: Generator = {
   name: "columns",
   label: "Columns",
   key: "D",
-  hint: "Add columns on a grid, each with a load",
+  hint: "Add columns on a grid, each with loads",
   fields: [
     { key: "on", label: "on", is: "choice", initial: ON[0]!, options: ON },
     { ...length("x", "first x", "-5 m"), shown: isGrid },
@@ -37,6 +38,8 @@ export const COLUMN_GRID: Generator = {
     length("width_y", "width in y", "400 mm"),
     force("P", "load per column", "500 kN"),
     CASE,
+    force("P_2", "second load per column", "0 kN"),
+    { ...CASE, key: "case_2", label: "its load case", shown: ({ P_2 }) => /[1-9]/.test(P_2 ?? "") },
   ],
   places: [["x", "y"]],
   generate: (data, values) => {
@@ -45,35 +48,43 @@ export const COLUMN_GRID: Generator = {
     if (all.length > MOST) throw new Impossible(`${all.length} columns are too many, expected at most ${MOST}`);
     const kept = all.filter(({ at }) => on(at));
     if (kept.length === 0) throw new Impossible("none of them would be on the slab");
-    const P = forceOf(values, "P");
-    const found = P.value === 0 ? { edits: [], case: "" } : chosenCase(data, values, "columns");
+    const first = loadOf(data, values, "P", "case");
+    const second = loadOf(first.edits.reduce(applyOptimistic, data), values, "P_2", "case_2");
+    const acting = [first, second].filter(({ P }) => P.value !== 0);
     const size = {
       width_x: formatLength(sizeOf(values, "width_x"), "mm"),
       width_y: formatLength(sizeOf(values, "width_y"), "mm"),
     };
     const taken = takenNames(data, ["columns"]);
-    const edits: Edit[] = [...found.edits];
+    const edits: Edit[] = [...first.edits, ...second.edits];
     for (const { name, at } of kept) {
       const free = freeName(taken, name);
       taken.push(free);
       const value = { name: free, x: formatLength(at[0]), y: formatLength(at[1]), ...size };
       edits.push({ op: "add", path: ["columns"], value: attach(value, "columns", axesIn(data)) });
-      if (P.value !== 0)
+      for (const load of acting)
         edits.push({
           op: "add",
           path: ["loads"],
-          value: { kind: "point", case: found.case, column: free, P: formatForce(P) },
+          value: { kind: "point", case: load.case, column: free, P: formatForce(load.P) },
         });
     }
-    const first = listAt(data, ["columns"]).length;
+    const count = listAt(data, ["columns"]).length;
     const left = all.length - kept.length;
     return {
       change: { edits, text: `add ${kept.length} columns` },
-      paths: kept.map((_, n): Path => ["columns", first + n]),
+      paths: kept.map((_, n): Path => ["columns", count + n]),
       note: `${kept.length} columns.${left > 0 ? ` ${left} outside the slab were skipped.` : ""}`,
     };
   },
 };
+
+/** Return a load that all columns get, its case, and the edits that this needs; the fields of both are named. */
+function loadOf(data: Table, values: Values, force: string, loadCase: string) {
+  const P = forceOf(values, force);
+  const own = { ...values, case: values[loadCase] ?? "" };
+  return { P, ...(P.value === 0 ? { edits: [], case: "" } : chosenCase(data, own, "columns")) };
+}
 
 function placesOfGrid(values: Values): Place[] {
   const xs = axes(lengthOf(values, "x"), lengthsOf(values, "spacing_x"));

@@ -22,7 +22,17 @@ export function snapPlaces(items: readonly Item[], without: readonly Path[]): Sn
 
 function ownPlaces(item: Item): SnapPlace[] {
   const { geometry } = item;
-  if (geometry.type === "circle") return [{ at: geometry.center, name: "center" }];
+  if (geometry.type === "circle") {
+    const { center, radius } = geometry;
+    const [x, y] = center;
+    const quadrants: Ring = [
+      [x + radius, y],
+      [x, y + radius],
+      [x - radius, y],
+      [x, y - radius],
+    ];
+    return [{ at: center, name: "center" }, ...quadrants.map((at) => ({ at, name: "quadrant" }))];
+  }
   const name = geometry.type === "point" ? item.title : isClosed(geometry) ? "corner" : "end";
   return corners(item).map((at) => ({ at, name }));
 }

@@ -158,6 +158,24 @@ describe("columns on a grid", () => {
     expect(itemsOf(after, null).filter(({ kind }) => kind === "column")).toHaveLength(5);
     expect(paths).toHaveLength(5);
   });
+  it("have loads in two cases, also in one that is made for them", () => {
+    const { after } = make("d", {
+      spacing_x: "",
+      spacing_y: "",
+      P: "900",
+      case: "floor",
+      P_2: "350",
+      case_2: "storage",
+    });
+    expect(tables(after, "loads").slice(1)).toEqual([
+      { kind: "point", case: "floor", column: "A1", P: "900 kN" },
+      { kind: "point", case: "storage", column: "A1", P: "350 kN" },
+    ]);
+    const own = { spacing_x: "", spacing_y: "", case: "new load case", P_2: "350", case_2: "new load case" };
+    const made = make("d", own).after;
+    expect(tables(made, "cases").map(({ name }) => name)).toEqual(["floor", "storage", "columns", "columns 2"]);
+    expect(new Set(tables(made, "loads").map((load) => load.case))).toEqual(new Set(["floor", "columns", "columns 2"]));
+  });
   it("have names of their own beside those that are there, and no load where it is 0", () => {
     const data = { ...FLOOR, columns: [{ name: "A1", x: "0 m", y: "0 m" }] };
     const { after } = make("d", { P: "0", spacing_x: "5" }, data);

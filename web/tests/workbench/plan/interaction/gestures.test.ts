@@ -110,6 +110,16 @@ describe("drawing", () => {
     expect(freeName(["wall"], "wall")).toBe("wall 2");
   });
 
+  it("gives a load the size of the last one of its kind in the same case", () => {
+    const loads = [
+      { kind: "point", P: "-120 kN", case: "wind", x: "0 m", y: "0 m" },
+      { kind: "line", q: "40 kN/m", case: "wind" },
+    ];
+    const sizeIn = (loadCase: string) =>
+      addPoint("point load", { ...DATA, loads }, [1, 1], loadCase).change.edits[0] as { value: Table };
+    expect([sizeIn("wind").value.P, sizeIn("live").value.P]).toEqual(["-120 kN", "100 kN"]);
+  });
+
   it("replaces the sides by the outline that is drawn, and keeps the rest of the slab", () => {
     const data: Table = { plate: { length_x: "6 m", length_y: "4 m", thickness: "1 ft", E: "30 GPa", nu: 0.2 } };
     const made = addShape("slab", data, { kind: "rectangle", from: [0, 0], to: [3, 2] }, "");

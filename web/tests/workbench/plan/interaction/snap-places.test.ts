@@ -14,6 +14,7 @@ describe("places to snap to", () => {
     expect(named([6, 2])[0]).toBe("corner");
     expect(named([3, 0])).toEqual(["middle"]);
     expect(named([1, 1])).toEqual(["center"]);
+    expect([named([1.25, 1]), named([1, 0.75])]).toEqual([["quadrant"], ["quadrant"]]);
     expect(named([4, 1])).toEqual(["column A1", "point load 1"]);
     expect(
       named(
