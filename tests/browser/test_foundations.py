@@ -95,7 +95,7 @@ class Hands:
 
     def line(self, tool: str, start: tuple[float, float], end: tuple[float, float]) -> None:
         """Drag a straight line with a tool."""
-        self.page.locator("svg.drawing").focus()
+        self.page.locator(".drawing").focus()
         self.keys(tool)
         self.actions += 1
         self.bench.drag(start, end)
