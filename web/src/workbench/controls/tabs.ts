@@ -1,6 +1,7 @@
 // Tabs: one panel of several is shown.
 
 import { h, newId, setText } from "../../viewer/shared/dom";
+import { scrollingBar } from "./scrolling-bar";
 
 export interface Tab {
   name: string;
@@ -47,8 +48,9 @@ export function tabs(all: readonly Tab[], label: string, onChange: (name: string
     });
     onChange(name);
   };
-  const bar = h("div", { class: "tabs", role: "tablist", "aria-label": label }, ...buttons);
-  bar.addEventListener("keydown", (event) => {
+  const list = h("div", { class: "tabs", role: "tablist", "aria-label": label }, ...buttons);
+  const bar = scrollingBar(list, () => buttons.find((button) => button.getAttribute("aria-selected") === "true"));
+  list.addEventListener("keydown", (event) => {
     const step = event.key === "ArrowRight" ? 1 : event.key === "ArrowLeft" ? -1 : 0;
     if (step === 0) return;
     event.preventDefault(); // else the browser scrolls the bar, too, after the tab has been shown

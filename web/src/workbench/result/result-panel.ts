@@ -65,10 +65,12 @@ export class ResultPanel {
     this.picture = this.makePicture();
     this.lower = this.makeLower(model);
     this.empty = emptyResult(store, model?.solve ?? null);
-    const share = splitter(this.full, "--stage-share", "y", 0.62, [0.25, 0.85], "plot height");
+    const share = splitter(this.full, "--stage-share", "y", 0.55, [0.25, 0.85], "plot height");
+    const tableShare = splitter(this.full, "--table-share", "y", 0.3, [0.15, 0.85], "plot height");
+    tableShare.classList.add("of-tables");
     const toolbar = this.picture.makeToolbar();
     if (model) toolbar.append(wideButton(this.element));
-    this.full.append(toolbar, this.picture.element, share, this.lower.element);
+    this.full.append(toolbar, this.picture.element, share, tableShare, this.lower.element);
     this.element.append(h("h2", { class: "unseen" }, "Result"), statusLine(store), this.empty.element, this.full);
     store.on(["solved"], () => void this.fetch());
     store.on(["comparison"], () => void this.takeComparison());

@@ -84,14 +84,18 @@ export function targetOf(table: ResultTable, row: number, column: number): Targe
   };
 }
 
-/** Return the widths of the columns in letters, so that no row that comes into view later changes them. */
+/** Return the widths of the columns in letters of the language shown, so that no row that comes into view later changes them. */
 export function columnWidths({ heads, rows }: ResultTable): number[] {
   return heads.map((head, n) => {
-    const widest = rows.reduce((most, row) => Math.max(most, lengthOf(row[n])), headWidth(headText(head)));
+    const widest = rows.reduce(
+      (most, row) => Math.max(most, lengthOf(row[n])),
+      headWidth(headText({ ...head, text: translate(head.text) })),
+    );
     return Math.min(Math.max(widest, 4), 44) + 2;
   });
 }
 
 function lengthOf(cell: TableCell | undefined): number {
-  return typeof cell === "string" ? cell.length : cell ? cell[0].length + cell[1].length + (cell[1] ? 1 : 0) : 0;
+  const under = typeof cell === "object" ? cell[1] : "";
+  return translate(textOf(cell)).length + (under ? under.length + 1 : 0);
 }

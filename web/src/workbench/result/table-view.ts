@@ -8,7 +8,7 @@ import { type RowBox, rangeInView, revealRow, rowsInView } from "../controls/vir
 import { arrangeRows, columnWidths, type Sorting, type Target, targetOf, textOf, toTabSeparated } from "./table-rows";
 import "./table-view.css";
 
-const ROW_HEIGHT = 24; // px, as in table-view.css
+const ROW_HEIGHT = 22; // px, as in table-view.css
 
 export class TableView {
   readonly element: HTMLElement;
