@@ -15,6 +15,7 @@ from helpers.reactions import ETABS, write_case, write_table
 pytestmark = pytest.mark.slow
 LAPTOP = (1366, 768)
 LOW = (1280, 650)
+LARGE = (1920, 1080)
 SIZES = pytest.mark.parametrize("size", [LAPTOP, LOW], ids=["1366x768", "1280x650"])
 
 #: The rows of the table that are wholly in view and covered by nothing.
@@ -156,7 +157,7 @@ def test_rows_of_checks_in_view(server: Server, bench: Bench, pad: Path, size: t
 def test_nothing_is_cut(server: Server, bench: Bench, pad: Path, language: str) -> None:
     """In every view of the model and every tab of results no words are cut, or a title has them."""
     open_pad(server, bench, pad, LAPTOP, language)
-    for size in (LAPTOP, LOW):
+    for size in (LAPTOP, LOW, LARGE):
         resize(bench, size)
         for tab in bench.page.get_by_role("tab").all():
             tab.click()

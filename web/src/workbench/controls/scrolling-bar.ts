@@ -5,7 +5,7 @@ import { lineIcon } from "./icons";
 const STEP = 0.7; // of the bar's width
 
 /** Put arrows over the ends of a bar, for the mouse; keys move within the bar. `keep` finds what stays in view. */
-export function scrollingBar(content: HTMLElement, keep: () => Element | null | undefined): HTMLElement {
+export function scrollingBar(content: HTMLElement, keep?: () => Element | undefined): HTMLElement {
   const makeArrow = (direction: -1 | 1) => {
     const onclick = () => {
       content.scrollLeft += direction * STEP * content.clientWidth;
@@ -23,9 +23,13 @@ export function scrollingBar(content: HTMLElement, keep: () => Element | null | 
   };
   content.addEventListener("scroll", update);
   const sizes = new ResizeObserver(() => {
-    keep()?.scrollIntoView({ block: "nearest", inline: "nearest" });
+    keep?.()?.scrollIntoView?.({ block: "nearest", inline: "nearest" });
     update();
   });
-  for (const element of [content, ...content.children]) sizes.observe(element);
+  const observe = () => {
+    for (const element of [content, ...content.children]) sizes.observe(element);
+  };
+  observe();
+  new MutationObserver(observe).observe(content, { childList: true });
   return h("div", { class: "scrolling-bar" }, content, start, end);
 }

@@ -5,13 +5,14 @@ import { readStored, writeStored } from "../../viewer/shared/storage";
 const STEP = 0.02;
 
 /**
- * Let a share (0 to 1) of an element be changed by dragging. It is a variable of the element's style, and is stored.
+ * Let a share (0 to 1) of an element be changed by dragging. It is a variable of the element's style, and is stored
+ * once it has been changed; `initial` may depend on the height of the window.
  */
 export function splitter(
   parent: HTMLElement,
   variable: string,
   axis: "x" | "y",
-  initial: number,
+  initial: number | (() => number),
   [least, most]: readonly [number, number],
   label: string,
 ): HTMLElement {
@@ -23,11 +24,17 @@ export function splitter(
     "aria-label": label,
     "aria-orientation": axis === "x" ? "vertical" : "horizontal",
   });
-  let share = Number(readStored(key)) || initial;
+  const begin = typeof initial === "number" ? () => initial : initial;
+  let isChosen = readStored(key) !== null;
+  let share = Number(readStored(key)) || begin();
   const set = (value: number) => {
     share = Math.min(most, Math.max(least, value));
     parent.style.setProperty(variable, `${(share * 100).toFixed(2)}%`);
     bar.setAttribute("aria-valuenow", String(Math.round(share * 100)));
+  };
+  const choose = (value: number) => {
+    set(value);
+    isChosen = true;
     writeStored(key, String(share));
   };
   bar.addEventListener("pointerdown", (event) => {
@@ -37,16 +44,17 @@ export function splitter(
   bar.addEventListener("pointermove", (event) => {
     if (!bar.hasPointerCapture(event.pointerId)) return;
     const box = parent.getBoundingClientRect();
-    set(axis === "x" ? (event.clientX - box.left) / box.width : (event.clientY - box.top) / box.height);
+    choose(axis === "x" ? (event.clientX - box.left) / box.width : (event.clientY - box.top) / box.height);
   });
   bar.addEventListener("keydown", (event) => {
     const back = axis === "x" ? "ArrowLeft" : "ArrowUp";
     const on = axis === "x" ? "ArrowRight" : "ArrowDown";
     if (event.key !== back && event.key !== on) return;
     event.preventDefault();
-    set(share + (event.key === on ? STEP : -STEP));
+    choose(share + (event.key === on ? STEP : -STEP));
   });
-  bar.addEventListener("dblclick", () => set(initial));
+  bar.addEventListener("dblclick", () => choose(begin()));
   set(share);
+  addEventListener("resize", () => isChosen || set(begin()));
   return bar;
 }

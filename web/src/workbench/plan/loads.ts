@@ -2,6 +2,7 @@
 import { allow, button, fillOptions, h, setText, type Verbatim, verbatim } from "../../viewer/shared/dom";
 import { translate } from "../../viewer/shared/language";
 import type { Store } from "../client/store";
+import { scrollingBar } from "../controls/scrolling-bar";
 import { defaultsFor } from "../model/defaults";
 import type { Change } from "../model/edits";
 import { UNPLACED } from "../model/items";
@@ -100,7 +101,7 @@ export function unplacedLoads(store: Store, push: (change: Change) => void, { lo
     "div",
     { class: "unplaced" },
     h("span", {}, "Entire slab:"),
-    box,
+    scrollingBar(box),
     h("span", { class: "chip-adds" }, ...adds),
   );
   return { element, update };

@@ -23,8 +23,16 @@ export interface ModelActions {
   push(change: Change): void;
 }
 
+const BARS_HEIGHT = 77; // px, the bars above the picture and its tools
+const TABLE_HEIGHT = 385; // px, tabs, filter, head, a dozen rows, a scroll bar
+
 /** The tabs in which something can be compared before there is a table. */
 const COMPARISON_TABS = ["ground", "alternatives"];
+
+/** Return the share of the picture with its tools above a table, of which a dozen rows are enough. */
+function shareAboveTable(): number {
+  return Math.max(0.4, 1 - TABLE_HEIGHT / (innerHeight - BARS_HEIGHT));
+}
 
 /** The panel of results, kept in step with the store's `solved`; without a model it only shows. */
 export class ResultPanel {
@@ -66,7 +74,7 @@ export class ResultPanel {
     this.lower = this.makeLower(model);
     this.empty = emptyResult(store, model?.solve ?? null);
     const share = splitter(this.full, "--stage-share", "y", 0.55, [0.25, 0.85], "plot height");
-    const tableShare = splitter(this.full, "--table-share", "y", 0.3, [0.15, 0.85], "plot height");
+    const tableShare = splitter(this.full, "--table-share", "y", shareAboveTable, [0.25, 0.85], "plot height");
     tableShare.classList.add("of-tables");
     const toolbar = this.picture.makeToolbar();
     if (model) toolbar.append(wideButton(this.element));

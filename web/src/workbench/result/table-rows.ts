@@ -95,7 +95,12 @@ export function columnWidths({ heads, rows }: ResultTable): number[] {
   });
 }
 
+/** Return the length of a text in digits, than which some letters are wider. */
+function lettersOf(text: string): number {
+  return text.length + 0.4 * (text.match(/[MNWmw]/g)?.length ?? 0);
+}
+
 function lengthOf(cell: TableCell | undefined): number {
   const under = typeof cell === "object" ? cell[1] : "";
-  return translate(textOf(cell)).length + (under ? under.length + 1 : 0);
+  return lettersOf(translate(textOf(cell))) + (under ? under.length + 1 : 0);
 }
