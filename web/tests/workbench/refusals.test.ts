@@ -50,6 +50,7 @@ describe("actions on what is selected", () => {
     expect(refused(["columns", 0])).toEqual([]);
     expect(refused(["loads", 2])).toEqual([]);
     expect(refused(["loads", 0], ["loads", 2])).toEqual([]);
+    expect(refused(["axes", 0])).toEqual([]);
   });
 
   it("turn the forces of a load on a column, and move neither it nor copies of it away", () => {

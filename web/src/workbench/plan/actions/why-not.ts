@@ -39,11 +39,12 @@ export function whyNotDone(store: Store, items: readonly Item[], action: Selecti
   if (store.broken) return TEXT_FIRST;
   if (selected.every(isSlab)) return ONE_SLAB[action] ?? "";
   if (action === "duplicate" || action === "remove") return "";
-  if (items.length === 0) return "It acts on the entire slab, without a position on the plan.";
-  if (action === "array") return whyNotCopied(tablesAt(data, selected)) ? whyFixed(items[0]!) : "";
+  const [first] = items;
+  if (!first) return selected.every(isLoad) ? "It acts on the entire slab, without a position on the plan." : "";
+  if (action === "array") return whyNotCopied(tablesAt(data, selected)) ? whyFixed(first) : "";
   // forces of loads on columns turn, though not their places
   const isFixed = items.every(({ movable, kind }) => !movable && (action === "move" || kind !== "load"));
-  return isFixed ? whyFixed(items[0]!) : "";
+  return isFixed ? whyFixed(first) : "";
 }
 
 /** Return why a tool or a generator can do nothing now, empty if it can. */
@@ -54,6 +55,8 @@ export function whyNotDrawn(store: Store, hasSlab: boolean, name: ToolName | Gen
   const isAlone = name === "joint" && listAt(store.data, ["plates"]).length === 0;
   return isAlone ? "Draw a further plate first: joints are where two plates meet." : "";
 }
+
+const isLoad = ([list]: Path) => list === "loads";
 
 /** Whether a path is of the slab itself, not of its openings and zones. */
 function isSlab(path: Path): boolean {
