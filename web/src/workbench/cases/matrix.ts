@@ -135,7 +135,7 @@ export class Matrix {
         "th",
         {
           scope: "col",
-          class: positions.length > 0 ? "number moving" : "number",
+          class: "number",
           title,
           style: `--case-color:${caseColor(n)}`,
         },
