@@ -37,8 +37,9 @@ const SHOWING: Readonly<Record<string, number>> = {
   angle: 1,
   makeIconButton: 1,
 };
-/** Files without messages: pictures with letters, values that new items begin with. */
-const SILENT = /renderer\/|help\/(drawings|figure)\.ts|model\/defaults\.ts|shared\/(language|palette|theme)\.ts/;
+/** Files without messages: pictures with letters, values that new items begin with, selectors. */
+const SILENT =
+  /renderer\/|help\/(drawings|figure)\.ts|model\/defaults\.ts|shared\/(language|palette|theme)\.ts|controls\/focus\.ts/;
 /** What looks like a message: quantities, paths and transformations of SVG, parts of the schema, names of headers. */
 const OTHERS =
   /^[\d.]+ \S+$|^M\{|^(translate|rotate|matrix)\(|^[A-Z][a-z]+([A-Z][a-z]+)+$|^Content-|^groundslab |^\w+ = |^[0-9a-f]{6} /;

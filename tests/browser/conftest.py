@@ -10,12 +10,15 @@ from typing import Any
 import pytest
 
 from helpers.browsing import ARGUMENTS, PATIENCE, SMALL, Bench, Server, SharedServer, chromium, missing
+from helpers.firefox import missing_firefox
 
 
 def pytest_terminal_summary(terminalreporter: Any) -> None:
     """Say loudly that the page was not tried."""
     if missing():
         terminalreporter.write_line(f"THE TESTS IN A BROWSER DID NOT RUN: {missing()}", red=True, bold=True)
+    if missing_firefox():
+        terminalreporter.write_line(f"THE TEST IN FIREFOX DID NOT RUN: {missing_firefox()}", red=True, bold=True)
 
 
 @pytest.fixture(scope="session")

@@ -7,6 +7,7 @@ import { onTokenElsewhere, takeToken } from "./client/browser-storage";
 import { Connection } from "./client/connection";
 import { EditQueue } from "./client/edit-queue";
 import { Store } from "./client/store";
+import { keepFocus } from "./controls/focus";
 import { isUntouched } from "./model/changes/optimistic-edits";
 import { speak } from "./shell/language-switch";
 import { buildPage, buildView } from "./shell/page";
@@ -43,6 +44,7 @@ addEventListener("beforeunload", (event) => {
   // what the server has is kept; what it has not would be lost
   if (store.waitingCount > 0) event.preventDefault();
 });
+keepFocus();
 const stop = store.on(["doc"], () => {
   // the first text may still be being read
   if (store.doc?.data === null && store.doc.checking) return;

@@ -101,8 +101,12 @@ function subPart(ctx: FormContext, path: Path, field: Field, node: Node, bare: b
     const kind = part.kind ? { kind: part.kind } : {};
     const value = { ...kind, ...defaultsFor(part.name, ctx.data()), ...defaultPlacement(ctx.data(), path, part) };
     ctx.change({ edits: [{ op: "set", path, value }], text: `add ${name}` });
+    inner.element.querySelector<HTMLElement>("input, select, button:not([hidden])")?.focus();
   };
-  const remove = () => ctx.change({ edits: [{ op: "remove", path }], text: `remove ${name}` });
+  const remove = () => {
+    ctx.change({ edits: [{ op: "remove", path }], text: `remove ${name}` });
+    addButton.focus();
+  };
   const addButton = button(`Add ${name}`, "", insert, "small");
   const removeButton = button("Remove", "", remove, "small quiet");
   const hint = h("span", { class: "hint" }, field.hint);

@@ -12,6 +12,7 @@ const EVERYWHERE: readonly KeyRow[] = [
   ["Ctrl+S, Ctrl+Shift+S", "save, save as"],
   ["Ctrl+O", "open a case file"],
   ["Ctrl+Z, Ctrl+Y", "undo, redo"],
+  ["F6, Shift+F6", "go to the next or previous area: top bar, model, results"],
   ["F9", "solve"],
   ["F1", "documentation for the focused field"],
   ["?", "show this list"],

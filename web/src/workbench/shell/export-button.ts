@@ -1,6 +1,6 @@
 // The button that has a file made while one works on, says how far a report is, and saves the file.
 
-import { allow, h, setText } from "../../viewer/shared/dom";
+import { allow, h, setRead, setText } from "../../viewer/shared/dom";
 import { type Api, type MadeFile, Refused } from "../client/api";
 import type { Store } from "../client/store";
 import { ask } from "../controls/dialogs";
@@ -60,7 +60,10 @@ export function exportButton(store: Store, api: ExportApi, solve: () => Promise<
     setText(element, report === null ? "Export …" : share > 0 ? `Export ${share} %` : "Exporting …");
     const made = report?.text ? `The report is being made: ${report.text}` : "The file is being made.";
     const isEmpty = solved === null && (store.doc === null || store.doc.issues.length > 0);
-    allow(element, report !== null ? made : isEmpty ? "There is nothing to export: fix the errors first." : "");
+    allow(element, report === null && isEmpty ? "There is nothing to export: fix the errors first." : "");
+    // while a file is made it keeps the focus
+    if (report !== null) setRead(element, "title", made);
+    element.setAttribute("aria-disabled", String(report !== null));
     element.setAttribute("aria-busy", String(report !== null));
     if (awaited !== null && run.kind === "idle" && solved && !solved.provisional && !isStale()) {
       const file = awaited;

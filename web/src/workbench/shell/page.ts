@@ -6,6 +6,7 @@ import { openSections } from "../client/browser-storage";
 import type { Connection } from "../client/connection";
 import type { EditQueue } from "../client/edit-queue";
 import type { Store } from "../client/store";
+import { areaKeys } from "../controls/focus";
 import { splitter } from "../controls/splitter";
 import { tabs } from "../controls/tabs";
 import type { FormContext } from "../form/context";
@@ -61,6 +62,7 @@ export function buildPage(
     open: (target) => openFieldDocumentation(target, store.data),
   };
   const top = topBar(store, api, commands, help.showKeys, lost);
+  const toArea = areaKeys([top, model.element, result.element]);
   const take = async (which: Which, digest: string) => void (await commands.takeFile(which, digest));
   document.body.replaceChildren(
     top,
@@ -69,7 +71,7 @@ export function buildPage(
     page,
     notices(store),
   );
-  document.addEventListener("keydown", (event) => handleKey(event, commands, help));
+  document.addEventListener("keydown", (event) => handleKey(event, commands, help, toArea));
   store.emitAll();
   if (!isTourTaken() && !document.querySelector("dialog[open]")) takeTour();
 }
@@ -187,7 +189,7 @@ interface Help {
 }
 
 /** Handle keys that hold everywhere. */
-function handleKey(event: KeyboardEvent, commands: Commands, help: Help): void {
+function handleKey(event: KeyboardEvent, commands: Commands, help: Help, toArea: (by: 1 | -1) => void): void {
   const isCommand = event.ctrlKey || event.metaKey;
   const key = event.key.toLowerCase();
   const inText = event.target instanceof HTMLTextAreaElement;
@@ -201,7 +203,10 @@ function handleKey(event: KeyboardEvent, commands: Commands, help: Help): void {
   else if (event.key === "F9" || (isCommand && event.key === "Enter")) run(commands.solve);
   else if (isCommand && key === "z" && !inText) run(event.shiftKey ? commands.redo : commands.undo);
   else if (isCommand && key === "y" && !inText) run(commands.redo);
-  else if (event.key === "F1") {
+  else if (event.key === "F6") {
+    event.preventDefault();
+    toArea(event.shiftKey ? -1 : 1);
+  } else if (event.key === "F1") {
     event.preventDefault();
     help.open(event.target);
   } else if (asksForKeys(event)) {

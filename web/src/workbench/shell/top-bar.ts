@@ -67,13 +67,18 @@ function makeIconButton(name: "undo" | "redo" | "theme", label: string, onclick:
 
 /** Undo and redo, and what would be undone. */
 function historyButtons(store: Store, commands: Commands): HTMLElement[] {
-  const undo = makeIconButton("undo", "undo", () => void commands.undo());
-  const redo = makeIconButton("redo", "redo", () => void commands.redo());
+  const undo = makeIconButton("undo", "undo", () => {
+    if (store.doc?.can_undo) void commands.undo();
+  });
+  const redo = makeIconButton("redo", "redo", () => {
+    if (store.doc?.can_redo) void commands.redo();
+  });
   const last = h("span", { class: "last-edit", "aria-hidden": "true" });
   store.on(["doc"], () => {
     const { doc } = store;
-    undo.disabled = doc?.can_undo !== true;
-    redo.disabled = doc?.can_redo !== true;
+    // they keep the focus where nothing is left
+    undo.setAttribute("aria-disabled", String(doc?.can_undo !== true));
+    redo.setAttribute("aria-disabled", String(doc?.can_redo !== true));
     setRead(undo, "title", doc?.can_undo ? `Undo: ${doc.undo_text} (Ctrl+Z)` : "Nothing to undo");
     setRead(redo, "title", doc?.can_redo ? `Redo: ${doc.redo_text} (Ctrl+Y)` : "Nothing to redo");
     setText(last, doc?.can_undo ? doc.undo_text : "");

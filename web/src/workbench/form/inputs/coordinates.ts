@@ -22,10 +22,12 @@ export function pointsInput(ctx: FormContext, path: Path, each: Node): Input {
   const insert = (n: number) => {
     const list = listAt(ctx.data(), path);
     setValue(ctx, path, list.toSpliced(n, 0, midpoint(list[n - 1], list[n] ?? list[0])));
+    inputs[n]?.focus.focus();
   };
   const remove = (n: number) => {
     const list = listAt(ctx.data(), path).toSpliced(n, 1);
     setValue(ctx, path, list.length > 0 ? list : undefined);
+    (inputs[Math.min(n, inputs.length - 1)]?.focus ?? add).focus();
   };
   const build = (length: number) => {
     // few points are shown at once, many when the user unfolds them

@@ -93,6 +93,7 @@ export class Actions {
     if (paths.length === 0 || why) return;
     this.push(removeItems(this.store.data, paths));
     this.store.select(null);
+    this.canvas.element.focus({ preventScroll: true }); // the button that was pressed is gone
   }
 
   /** Return the selected tables as text for the clipboard, empty if none can be copied. */
