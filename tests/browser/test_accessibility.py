@@ -7,32 +7,10 @@ from typing import Any
 
 import pytest
 
+from helpers.accessibility import find_violations, needs_axe
 from helpers.browsing import Bench, Server
-from helpers.paths import ROOT
 
-AXE = ROOT / "web" / "node_modules" / "axe-core" / "axe.min.js"
-pytestmark = [
-    pytest.mark.slow,
-    pytest.mark.skipif(not AXE.is_file(), reason="axe-core is not installed (npm ci in web/)"),
-]
-RUN = """async () => {
-  const { violations } = await axe.run(document, { resultTypes: ["violations"] });
-  return violations.filter(({ impact }) => ["moderate", "serious", "critical"].includes(impact))
-    .flatMap(({ id, nodes }) => nodes.map((node) => `${id}: ${node.target.join(" ")}: ${node.failureSummary}`));
-}"""
-
-
-def find_violations(page: Any) -> list[str]:
-    """Return the violations that are moderate or worse of a page, in light and in dark."""
-    if not page.evaluate("() => 'axe' in window"):
-        page.evaluate(AXE.read_text())
-    found = []
-    for theme in ("light", "dark"):
-        page.evaluate("(theme) => { document.documentElement.dataset.theme = theme; }", theme)
-        # colours that still change would be those of neither theme
-        page.evaluate("() => Promise.all(document.getAnimations().map((each) => each.finished.catch(() => null)))")
-        found += [f"{theme}: {each}" for each in page.evaluate(RUN)]
-    return found
+pytestmark = [pytest.mark.slow, needs_axe]
 
 
 def test_axe_finds_what_is_wrong(bench: Bench) -> None:
