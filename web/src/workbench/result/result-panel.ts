@@ -31,7 +31,7 @@ const COMPARISON_TABS = ["ground", "alternatives"];
 
 /** Return the share of the picture with its tools above a table, of which a dozen rows are enough. */
 function shareAboveTable(): number {
-  return Math.max(0.4, 1 - TABLE_HEIGHT / (innerHeight - BARS_HEIGHT));
+  return Math.max(0.45, 1 - TABLE_HEIGHT / (innerHeight - BARS_HEIGHT));
 }
 
 /** The panel of results, kept in step with the store's `solved`; without a model it only shows. */
