@@ -150,6 +150,21 @@ def write_difference(results: Results, wanted: Wanted) -> bytes:
     return pack(difference_of(results, _find_minus(results, wanted)))
 
 
+def write_document(results: Results, name: str) -> bytes:
+    """Return one of the documents for other programs."""
+    from groundslab.views.interface.documents import DOCUMENTS, to_text
+
+    return to_text(DOCUMENTS[name](results)).encode()
+
+
+def write_proposal(results: Results, case: str, folder: Path) -> bytes:
+    """Return the text of a case with bars that are proposed; relative names of files are those in a folder."""
+    from groundslab.case.editing.reinforcement import with_reinforcement
+    from groundslab.design.proposal.propose import propose_bars
+
+    return with_reinforcement(case, propose_bars(results).reinforcement, folder).encode()
+
+
 def write_reference(results: Results, path: Path) -> bytes:
     """Write results into a file of this process and its successors, which takes a fraction of writing a folder."""
     with path.open("wb") as file:

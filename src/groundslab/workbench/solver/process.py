@@ -24,7 +24,14 @@ from typing import TYPE_CHECKING, Any
 
 from groundslab.errors import GroundslabError, InputError
 from groundslab.workbench.child_process import set_up_child
-from groundslab.workbench.exports.files import Wanted, export, write_difference, write_reference
+from groundslab.workbench.exports.files import (
+    Wanted,
+    export,
+    write_difference,
+    write_document,
+    write_proposal,
+    write_reference,
+)
 from groundslab.workbench.solver.answer import Answer
 
 if TYPE_CHECKING:
@@ -376,14 +383,6 @@ def _write_export(solved: Solved, wanted: str, _: Told) -> bytes:
     return export(results, about, solved.text, comparison).to_bytes()
 
 
-def _write_bars(solved: Solved, folder: str, _: Told) -> bytes:
-    """Return the text of the case with bars that are proposed; relative names of files are those in a folder."""
-    from groundslab.case.editing.reinforcement import with_reinforcement
-    from groundslab.design.proposal.propose import propose_bars
-
-    return with_reinforcement(solved.case, propose_bars(solved.results).reinforcement, Path(folder)).encode()
-
-
 def _write_table(solved: Solved, name: str, _: Told | None = None) -> bytes:
     """Return a table as JSON."""
     from groundslab.workbench.solver.tables import table_to_json
@@ -391,17 +390,11 @@ def _write_table(solved: Solved, name: str, _: Told | None = None) -> bytes:
     return json.dumps(table_to_json(name, solved.tables[name]()), allow_nan=False).encode()
 
 
-def _write_document(solved: Solved, name: str, _: Told) -> bytes:
-    """Return one of the documents for other programs."""
-    from groundslab.views.interface.documents import DOCUMENTS, to_text
-
-    return to_text(DOCUMENTS[name](solved.results)).encode()
-
-
 #: What writes each kind of view.
 WRITERS: dict[str, Callable[[Solved, str, Told], bytes]] = {
     "report": _write_report, OUTDATED: _write_outdated_report, "archive": _write_archive, "table": _write_table,
-    "bars": _write_bars, "document": _write_document, "export": _write_export,
+    "export": _write_export, "document": lambda solved, name, _: write_document(solved.results, name),
+    "bars": lambda solved, folder, _: write_proposal(solved.results, solved.case, Path(folder)),
     "difference": lambda solved, wanted, _: write_difference(solved.results, Wanted.from_text(wanted)),
     "reference": lambda solved, file, _: write_reference(solved.results, Path(file)),
 }  # fmt: skip
