@@ -99,7 +99,7 @@ def press_solve(server: SharedServer, bench: Bench, case: Path) -> tuple[float, 
     wait_until_idle(server, bench)
     start, before = time.perf_counter(), processor_time(server)
     bench.page.keyboard.press("F9")
-    bench.page.wait_for_selector(".result-full .figures tr")
+    bench.until(lambda: bench.page.evaluate(SEEN)["first"])
     return round(time.perf_counter() - start, 1), round(processor_time(server) - before, 1)
 
 

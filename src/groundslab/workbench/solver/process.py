@@ -50,16 +50,7 @@ PREVIEW_AFTER = 1.5
 #: elements times combinations than are solved soon.
 SLOW, MUCH_WORK = 1.0, 8000
 #: What the case that warms up has besides: a load at a point, and a mesh for an accuracy.
-WARMING = """
-[[loads]]
-kind = "point"
-P = "50 kN"
-x = "1 m"
-y = "0.5 m"
-
-[mesh]
-accuracy = "15 %"
-"""
+WARMING = '\n[[loads]]\nkind = "point"\nP = "50 kN"\nx = "1 m"\ny = "0.5 m"\n\n[mesh]\naccuracy = "15 %"\n'
 #: The files about a run that can be asked for.
 FILES = ("report", "archive")
 #: A report on results whose case has changed since.
