@@ -79,7 +79,7 @@ def test_tools_and_generators(server: Server, bench: Bench, case: Path) -> None:
 def test_actions_on_a_selection(server: Server, bench: Bench, case: Path) -> None:
     """The properties of each item, of all at once, and every dialog of an action, with each of its choices."""
     bench.open(server.start(case))
-    drawing = bench.page.locator("svg.drawing")
+    drawing = bench.page.locator(".drawing")
     for words in ("column", "load"):
         bench.step("n", words)
         assert find_violations(bench.page, ".properties") == []
@@ -162,7 +162,7 @@ def test_dialogs_of_the_top_bar(server: Server, bench: Bench, case: Path) -> Non
     bench.page.get_by_role("button", name="New", exact=True).click()
     _check_dialog(bench)
     bench.page.keyboard.press("Escape")
-    bench.page.locator("svg.drawing").press("?")
+    bench.page.locator(".drawing").press("?")
     bench.page.get_by_role("button", name="Tour").click()
     steps = 0
     while bench.page.locator("dialog.tour[open]").count() > 0:

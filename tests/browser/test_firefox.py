@@ -17,7 +17,7 @@ SOLVED = """document.querySelector(".result-status:is([data-state=fresh], [data-
 TEXT = "document.querySelector('.code-input').value"
 #: Where a place of the plan is on the screen, in the view that the next frame shows.
 PIXEL = """new Promise((done) => requestAnimationFrame(() => {{
-  const drawing = document.querySelector("svg.drawing");
+  const drawing = document.querySelector(".drawing");
   const {{ left, top, width, height }} = drawing.getBoundingClientRect();
   const [cx, cy, scale] = drawing.dataset.view.split(" ").map(Number);
   done([left + width / 2 + ({x} - cx) * scale, top + height / 2 - ({y} - cy) * scale]);
@@ -50,10 +50,10 @@ def test_a_case_in_firefox(server: Server, firefox: Firefox, bench: Bench, case:
     """What a user does works in Firefox without an error in its console, and its figures read as Chromium's."""
     case.write_text(SMALL.replace('column = "A1"', 'column = "A1"\ncase = "dead"') + DESIGN)
     firefox.open(server.start(case))
-    firefox.until("document.querySelector('svg.drawing[data-view]') !== null")
+    firefox.until("document.querySelector('.drawing[data-view]') !== null")
     firefox.click("dialog.tour button.quiet")  # a new user is offered the tour
     firefox.until(SOLVED)
-    assert firefox.read("document.querySelectorAll('svg.drawing path, svg.drawing rect').length") > 5
+    assert firefox.read("document.querySelectorAll('.drawing path, .drawing rect').length") > 5
 
     firefox.click('.tool[data-tool="point load"]')
     firefox.click_at(*firefox.read(PIXEL.format(x=1, y=-1)))

@@ -54,7 +54,7 @@ def _wait_solved(bench: Bench) -> None:
 
 
 def _draw_outline(keys: Keys) -> None:
-    keys.to("svg.drawing")
+    keys.to(".drawing")
     keys.press("b")
     for corner in OUTLINE:
         keys.type(corner)
@@ -90,15 +90,15 @@ def _add_cases(keys: Keys) -> None:
 
 def _add_columns_and_load(keys: Keys) -> None:
     _tab(keys, "Plan")
-    keys.to("svg.drawing")
+    keys.to(".drawing")
     keys.press("d")
     for name, value in {"x": "1", "y": "1", "spacing_x": "2x4.5", "spacing_y": "2x4.5", "P": "800"}.items():
         keys.to(f"[name={name}]")
         keys.type(value)
     keys.press("Enter")
-    assert keys.has("svg.drawing")  # after the dialog
+    assert keys.has(".drawing")  # after the dialog
     keys.choose('[aria-label="highlighted load case"]', "live")
-    keys.to("svg.drawing", "Shift+Tab")
+    keys.to(".drawing", "Shift+Tab")
     keys.press("l")
     for end in ("0.5;3", "11.5;3"):
         keys.type(end)
@@ -134,7 +134,7 @@ def _move_a_column(keys: Keys) -> None:
     """Select the first column, move it to the right, undo and redo that, and solve."""
     bench = keys.bench
     _tab(keys, "Plan")
-    keys.to("svg.drawing")
+    keys.to(".drawing")
     while "A1" not in bench.seen(".properties h3"):
         keys.press("n")
     before = _data(bench)
