@@ -13,7 +13,7 @@ pytestmark = pytest.mark.slow
 
 #: What is disabled and seen, by its words, with the reason that it gives.
 DISABLED = """() => [...document.querySelectorAll("button, input, select")]
-  .filter((each) => each.disabled && each.checkVisibility())
+  .filter((each) => (each.disabled || each.ariaDisabled === "true") && each.checkVisibility())
   .map((each) => [(each.getAttribute("aria-label") ?? each.textContent).trim(), each.title])"""
 
 
