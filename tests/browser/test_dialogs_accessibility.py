@@ -26,8 +26,10 @@ name = "by hand"
 limit_state = "ultimate"
 factors = { dead = 1.35 }
 
-[combine]
-sets = ["ultimate"]
+[[loads]]
+kind = "uniform"
+case = "live"
+q = "2 kPa"
 
 [reinforcement]
 concrete = "C30/37"
@@ -194,7 +196,7 @@ def test_cases_combinations_and_alternatives(server: Server, bench: Bench, case:
     case.write_text(CASED)
     bench.open(server.start(case))
     bench.tab("Load cases")
-    bench.page.locator(".case-faults").first.wait_for()
+    bench.page.locator(".case-notes.flagged").first.wait_for()
     bench.page.get_by_label("limit state shown").select_option("ultimate")
     bench.page.get_by_label("name of combination 1").wait_for()
     assert find_violations(bench.page, ".model") == []

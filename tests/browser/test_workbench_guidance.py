@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from browser.test_accessibility import AXE, find_violations
+from helpers.accessibility import AXE, find_violations
 from helpers.browsing import PATIENCE, SMALL, Bench, Server
 from helpers.paths import ROOT
 

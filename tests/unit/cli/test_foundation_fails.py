@@ -242,7 +242,7 @@ def test_python_raises_what_is_a_failure_and_what_is_a_gap() -> None:
 def test_the_workbench_says_it() -> None:
     """The status line, the summary and the combination call it a failure of the foundation."""
     text = PAD + combinations(("stands", "ultimate", 0.5), ("falls", "ultimate", 1.0))
-    answer, _, _ = process.solve(text, process.Progress(lambda _text, _share: None))
+    answer, _, _ = process.solve(text, process.Progress(lambda *_: None))
     assert answer.refused["falls"].startswith("FOUNDATION FAILS: the loads topple the plate")
     assert answer.summary["design"]["status"] == "fails"
     assert answer.summary["design"]["headline"].startswith("FOUNDATION FAILS")

@@ -122,7 +122,13 @@ def test_results_that_are_only_shown_have_the_documentation_too(tmp_path: Path) 
     """The server of kept results hands out the pages as well, without examples."""
     from groundslab.workbench.server.view import create_view_app
 
-    view: Any = SimpleNamespace(get_state=lambda: {"version": 1}, hub=Hub(), get_current_events=lambda: [("state", {})])
+    view: Any = SimpleNamespace(
+        get_state=lambda: {"version": 1},
+        hub=Hub(),
+        get_current_events=lambda: [("state", {})],
+        export=None,
+        write_difference=None,
+    )
     app = create_view_app(view, Tickets(), PORT, TOKEN, tmp_path)
     with copied_help(tmp_path / "static"):
         assert asgi.ask(app, "GET", "/docs/results", HOST).status == 200
