@@ -69,6 +69,8 @@ def test_tools_and_generators(server: Server, bench: Bench, case: Path) -> None:
     names = bench.page.locator(".tool[data-tool]").evaluate_all("(all) => all.map((each) => each.dataset.tool)")
     dialogs = []
     for name in names:
+        if bench.page.locator(f'.tool[data-tool="{name}"]').is_disabled():
+            continue
         bench.tool(name)
         if bench.page.locator(".action-dialog").is_visible():
             dialogs.append(name)
@@ -82,10 +84,12 @@ def test_actions_on_a_selection(server: Server, bench: Bench, case: Path) -> Non
     """The properties of each item, of all at once, and every dialog of an action, with each of its choices."""
     bench.open(server.start(case))
     drawing = bench.page.locator(".drawing")
-    for words in ("column", "load"):
+    for words in ("load", "column"):
         bench.step("n", words)
         assert find_violations(bench.page, ".properties") == []
-    for name in bench.page.locator(".property-acts button", has_text="…").all_inner_texts():
+    names = bench.page.locator(".property-acts button:enabled", has_text="…").all_inner_texts()
+    assert len(names) > 3
+    for name in names:
         bench.page.locator(".property-acts").get_by_role("button", name=name).click()
         bench.page.locator(".action-dialog").wait_for()
         _check_choices(bench)

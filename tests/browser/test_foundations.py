@@ -207,7 +207,7 @@ def test_a_house_raft(server: Server, bench: Bench) -> None:
     hands.click(bench.page.locator('.tool[data-tool="borehole"]'))
     for n, place in enumerate(((2.0, 9.0), (14.0, 3.0)), start=1):
         hands.click_at(*place)
-        bench.wait_text(f'name = "BH{n}"')
+        bench.wait_text(f'\nname = "BH{n}"')  # comments have such names
     hands.fill({"thickness": "3 m"}, "boreholes", 1, "layers", 0)
     bench.until(lambda: tomllib.loads(bench.text())["boreholes"][1]["layers"][0]["thickness"] == "3 m")
     hands.keys("F9")

@@ -55,7 +55,7 @@ def test_an_axis_moves_with_its_columns(server: Server, bench: Bench, case: Path
     bench.tool("columns")
     dialog = bench.page.get_by_role("dialog", name="Columns")
     dialog.locator("[name=on]").select_option("crossings of axes")
-    dialog.get_by_label("load per column").fill("0")
+    dialog.get_by_label("load per column", exact=True).fill("0")
     bench.until(lambda: "6 columns." in dialog.inner_text(), dialog.inner_text)
     dialog.get_by_role("button", name="Columns").click()
     bench.wait_text('name = "B2"', 'at = "C/1"')
