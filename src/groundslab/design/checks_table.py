@@ -21,16 +21,16 @@ _ERROR = attrgetter("utilisation_error")
 def checks_table(combined: Results) -> Table:
     """Return all checks of the design, the failures first."""
     heads = [
-        ("check", ""), ("of", ""), ("verdict", ""), ("demand", ""), ("limit", ""), ("unit", ""), ("utilisation", ""),
+        ("check", ""), ("of", ""), ("utilisation", ""), ("verdict", ""), ("demand", ""), ("limit", ""), ("unit", ""),
         ("combination", ""), ("x", "m"), ("y", "m"), ("clause", ""), ("in words", ""),
     ]  # fmt: skip
     rows = []
     checks = check_design(combined).checks
     for check in checks:
         x, y = check.place or (None, None)
-        numbers = check.demand, check.resistance, check.unit or None, check.utilisation
-        rows.append([check.name, check.of or None, check.verdict, *numbers, check.combination or None, x, y,
-                     check.clause or None, check.words])  # fmt: skip
+        sizes = check.demand, check.resistance, check.unit or None
+        rows.append([check.name, check.of or None, check.utilisation, check.verdict, *sizes, check.combination or None,
+                     x, y, check.clause or None, check.words])  # fmt: skip
     notes = ["The utilisation is demand over limit; of an area in contact, which must not be less, limit over demand."]
     table = table_of("checks", "Checks of the design", heads, rows, notes)
     if all(check.error is None for check in checks):

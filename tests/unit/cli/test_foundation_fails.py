@@ -122,7 +122,7 @@ def test_an_only_combination_that_topples(case: Path, capsys: pytest.CaptureFixt
     assert out.startswith('FOUNDATION FAILS (1 of 1 check fails): static equilibrium: none in "falls"')
     assert err.endswith("Exit code 3.\n")
     folder = case.with_name("pad-results")
-    assert "static equilibrium,,fails" in (folder / "tables" / "checks.csv").read_text(encoding="utf-8")
+    assert "static equilibrium,,,fails" in (folder / "tables" / "checks.csv").read_text(encoding="utf-8")
     page = render_report(load_results(folder))
     assert page.index("FOUNDATION FAILS") < page.index('<nav class="contents')
 
