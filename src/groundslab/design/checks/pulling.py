@@ -1,8 +1,8 @@
-"""Columns and piles that do not push: punching by what pulls at the plate, or only turns it, is not judged."""
+"""Columns, piles and zones that do not push: punching by what pulls at the plate, or only turns it, is not judged."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
@@ -10,6 +10,7 @@ from groundslab.arrays import Array
 from groundslab.design.basis.check import DesignCheck
 from groundslab.design.basis.combinations import ultimate_results
 from groundslab.design.demands.perimeter_loads import PunchingForce, punching_columns, punching_piles
+from groundslab.design.demands.zones.thicker_zones import zone_forces
 from groundslab.results.results import CombinationResult, Results
 
 #: Forces and moments below this share of the largest of a kind are rounding.
@@ -19,14 +20,15 @@ MOST_NAMED = 5
 
 
 def checks(combined: Results) -> Iterator[DesignCheck]:
-    """Yield which columns and piles pull at the plate, or only turn it, in any ultimate combination."""
+    """Yield which columns, piles and zones pull at the plate, or only turn it, in any ultimate combination."""
     results = ultimate_results(combined)
     yield from _checks(punching_columns(combined.model), results, "column", "push down")
     yield from _checks(punching_piles(combined.model), results, "pile", "push up")
+    yield from _checks(zone_forces(combined), results, "thicker zone", "push down")
 
 
 def _checks(
-    forces: tuple[PunchingForce, ...], results: list[CombinationResult], one: str, push: str
+    forces: Sequence[PunchingForce], results: list[CombinationResult], one: str, push: str
 ) -> Iterator[DesignCheck]:
     """Yield that some do not push, with the combination in which each pulls most."""
     if not forces or not results:

@@ -18,7 +18,7 @@ import numpy as np
 from groundslab.arrays import Array, Integers, Memo
 from groundslab.design.demands.loads import column_loads
 from groundslab.design.demands.loads.edge_lengths import edge_inside
-from groundslab.design.demands.perimeters import Footprint, RectangularColumn, RoundColumn
+from groundslab.design.demands.perimeters import Footprint, Perimeter, RectangularColumn, RoundColumn
 from groundslab.fem import load_vectors
 from groundslab.fem.assembly import scatter
 from groundslab.fem.mesh import Mesh
@@ -104,6 +104,10 @@ class PunchingForce:
     def edges_within(self, _: float) -> float:
         """Return how far away edges are that perimeters may run out to if these are shorter [m], by the depth [m]."""
         return math.inf
+
+    def area_inside(self, line: Perimeter, distance: float) -> Polygon:  # noqa: ARG002
+        """Return where what acts counts as inside of a perimeter at a distance [m]."""
+        return line.inside
 
     @cached_property
     def footprint(self) -> Footprint:

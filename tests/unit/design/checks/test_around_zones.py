@@ -14,12 +14,14 @@ from groundslab.design.aci318.checks import two_way, two_way_steps
 from groundslab.design.aci318.checks.two_way_demand import two_way as column_two_way
 from groundslab.design.aci318.checks.two_way_demand import zone_two_way
 from groundslab.design.basis.check import DesignCheck
+from groundslab.design.checks import pulling
 from groundslab.design.demands.zones.thicker_zones import zone_forces
 from groundslab.design.en1992.checks import punching, punching_steps
 from groundslab.design.en1992.checks.governing_perimeters import demands, zone_demands
 from groundslab.design.en1992_2023.checks import punching as second_generation
 from groundslab.design.en1992_2023.checks import punching_steps as second_generation_steps
 from groundslab.design.en1992_2023.checks.punching_demand import column_demands
+from groundslab.design.en1992_2023.checks.punching_demand import zone_demands as second_zone_demands
 from groundslab.design.proposal.links import punching_links
 from groundslab.design.result_tables import table_makers
 from groundslab.model.model import Model
@@ -53,8 +55,9 @@ def results(
     columns: tuple[tuple[float, float], ...] = ((0.0, 0.0),),
     pressure: float = PRESSURE,
     thickness: float = H,
+    more: tuple[dict[str, Any], ...] = (),
 ) -> Results:
-    """Return results of columns that share a force [N] on a plate with zones, under an even pressure [Pa]."""
+    """Return results of columns that share a force [N] on a plate with zones, under an even pressure [Pa], and more."""
     names = [f"C{n}" for n, _ in enumerate(columns, start=1)]
     model = Model(
         plate={
@@ -67,7 +70,7 @@ def results(
             for name, (x, y) in zip(names, columns, strict=True)
         ],
         cases=[{"name": "G"}],
-        loads=[{"kind": "point", "P": P / len(names), "column": name, "case": "G"} for name in names],
+        loads=[*({"kind": "point", "P": P / len(names), "column": name, "case": "G"} for name in names), *more],
         combinations=[{"name": "ULS", "factors": {"G": 1.0}}],
         reinforcement={"code": code, "f_ck": 30e6, "f_yk": 500e6, "bottom": (0.04, 0.05), "top": (0.04, 0.05)},
     )  # fmt: skip
@@ -323,3 +326,58 @@ def test_what_is_turned_stays_as_it_is() -> None:
     assert other is not None
     assert other.u == pytest.approx(one.u, **CHORDS)
     assert (other.V_Ed, other.beta) == pytest.approx((one.V_Ed, one.beta), rel=2e-3)
+
+
+def test_loads_along_an_edge_that_a_section_runs_out_to_count() -> None:
+    """A load of 100 kN/m near the edge, from one end of the section around the zone to the other."""
+    edge, q = LENGTH_X / 2, 100e3
+    line = {"kind": "line", "q": q, "case": "G", "points": [(edge - 0.05, -3.0), (edge - 0.05, 3.0)]}
+    wide = zone((edge - 2.0, edge - 0.8), (-0.9, 0.9))
+    combined = results(wide, code="ACI 318", columns=((edge - 1.4, 0.0),), more=(line,))
+    demand = zone_two_way(combined)[0]["ULS", "zone 1"]
+    assert demand.line is not None
+    assert demand.line.setbacks == pytest.approx((0.8,))
+    assert demand.others == pytest.approx(q * (1.8 + demand.d), **CHORDS)
+
+
+def test_walls_on_a_zone_make_its_force_eccentric_in_the_second_generation() -> None:
+    """2 MN of a wall 0.9 m off the middle and 0.1 MN of a column there act at 1.8 MNm / 2.1 MN."""
+    wall = {"kind": "line", "q": 1e6, "case": "G", "points": [(-1.0, 0.9), (1.0, 0.9)]}
+    combined = results(square(), code="EN 1992-1-1:2023", P=0.1e6, pressure=0.0, more=(wall,))
+    demand = second_zone_demands(combined)[0]["ULS", "zone 1"]
+    assert demand.V_Ed == pytest.approx(2.1e6, rel=1e-9)
+    assert sorted(map(abs, demand.eccentricities)) == pytest.approx([0.0, 1.8 / 2.1], abs=1e-9)
+
+
+def test_ground_in_a_recess_of_a_zone_takes_nothing_off() -> None:
+    """Around an L of two arms, pressure counts up to d / 2 from its own sides, 24 m, and in four corners of d2 / 4."""
+    arms = ((-2.8, -3.0), (3.2, -3.0), (3.2, -1.8), (-1.6, -1.8), (-1.6, 3.0), (-2.8, 3.0))
+    corner = {"thickness": 0.9, "shape": {"kind": "polygon", "points": arms}}
+    combined = results(corner, code="ACI 318", columns=((2.4, -2.4), (-2.2, 2.4), (-2.2, -2.4)), thickness=0.3)
+    demand = zone_two_way(combined)[0]["ULS", "zone 1"]
+    # five corners that stand out and one that does not
+    area = 2 * 6.0 * 1.2 - 1.2**2 + 24 * demand.d / 2 + 4 * (demand.d / 2) ** 2
+    assert demand.V_u == pytest.approx(3e6 - PRESSURE * area, rel=1e-3)
+
+
+def test_a_zone_that_is_turned_alone_needs_attention() -> None:
+    """Two opposite forces on it push nothing down, but turn the slab around; so one that is pulled up."""
+    opposite = {"kind": "point", "P": -4e6, "column": "C2", "case": "G"}
+    wide = zone((-2.5, 2.5), (-1.0, 1.0))
+    turned = results(wide, P=4e6, columns=((-2.0, 0.0), (2.0, 0.0)), more=(opposite,))
+    assert not zone_demands(turned).found
+    check = named(pulling.checks(turned), "thicker zones")
+    assert check.status == "attention"
+    assert "zone 1 only turns the slab with 8000 kNm" in check.words
+    pulled = results(wide, P=-1e6, columns=((-2.0, 0.0), (2.0, 0.0)))
+    assert "zone 1 pulls with 1000 kN" in named(pulling.checks(pulled), "thicker zones").words
+    assert not [each for each in pulling.checks(results(square())) if "thicker zones" in each.name]
+
+
+def test_shorter_sections_in_thinner_slab_do_not_make_concrete_stronger() -> None:
+    """ACI's alpha_s d / b_o follows the mean depth over the whole length, not one over what counts of it."""
+    combined = results(square(), code="ACI 318", columns=((0.9, 0.0),))
+    demand = column_two_way(combined)[0]["ULS", "C1"]
+    assert demand.line is not None
+    assert demand.b_o < demand.line.u
+    assert demand.alpha_s * demand.d / demand.b_o == pytest.approx(40 * demand.d * demand.b_o / demand.line.u**2)

@@ -135,11 +135,15 @@ def section_at(
         return CUT
     column = punching.column
     sides = column.width_x or 1.0, column.width_y or 1.0  # a round column has none, and beta = 1
-    loads = perimeter_loads.loads_near(results, punching, distance).inside(results, line.inside)
-    thinner = thinner_parts(results, footprint.footprint(), punching.thickness(results), distance)
+    reach = line.reach(distance)
+    near = perimeter_loads.loads_near(results, punching, reach)
+    loads = near.inside(results, punching.area_inside(line, distance))
+    thinner = thinner_parts(results, footprint.footprint(), punching.thickness(results), reach)
     legs = counted(line.legs, thinner, depth_share, distance, d)
     center = line_properties.centroid(legs)
-    return CriticalSection(d, line, legs, center, footprint.axes, max(sides) / min(sides), aci318.ALPHA_S[shape], loads)
+    # alpha_s d / b_o with the mean depth, over the whole length
+    alpha_s = aci318.ALPHA_S[shape] * (line_properties.total_length(legs) / line.u) ** 2
+    return CriticalSection(d, line, legs, center, footprint.axes, max(sides) / min(sides), alpha_s, loads)
 
 
 def openings_of(results: CombinationResult, punching: PunchingForce) -> Openings:

@@ -19,7 +19,7 @@ import numpy as np
 from groundslab.arrays import Array, made_once
 from groundslab.design.by_plate import split_by_plate
 from groundslab.design.demands.perimeter_loads import PunchingForce, punching_columns, punching_piles
-from groundslab.design.demands.perimeters import ZoneFootprint, area_of, outline
+from groundslab.design.demands.perimeters import Perimeter, ZoneFootprint, area_of, outline
 from groundslab.fem.mesh import SIDES
 from groundslab.geometry.places import same_place
 from groundslab.geometry.rectangles import direction_at
@@ -35,6 +35,8 @@ if TYPE_CHECKING:
 SAME = 1e-9
 #: What covers more of its plate than this is the slab itself: one-way shear is checked in what is left.
 MOST = 0.5
+#: A zone without recesses covers all of its hull but for a smaller share.
+RECESS = 1e-6
 #: Edges are near a zone up to this over the effective depth: the perimeters of EN 1992-1-1 reach so far.
 NEAR = 2.0
 #: Where no zone is judged: a band from edge to edge has no perimeter that turns around it.
@@ -79,6 +81,17 @@ class ZoneForce(PunchingForce):
         A zone may be so wide that a perimeter around a corner of the plate is shorter than one around the zone.
         """
         return NEAR * d
+
+    def area_inside(self, line: Perimeter, distance: float) -> Polygon:
+        """Return where what acts counts as inside of a perimeter at a distance [m].
+
+        No crack runs from the zone to ground in a recess of its outline, which therefore takes nothing off.
+        """
+        region = self.region
+        assert region is not None
+        if region.area > (1 - RECESS) * region.convex_hull.area:
+            return line.inside
+        return line.inside.intersection(region.buffer(line.reach(distance), join_style="mitre"))
 
     @cached_property
     def footprint(self) -> ZoneFootprint:

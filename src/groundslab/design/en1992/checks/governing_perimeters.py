@@ -137,7 +137,8 @@ class _Site:
             else:
                 lines[distance] = line
         if lines and self.around is not None and self.near is not None:
-            loads = self.near.inside_each(results, [line.inside for line in lines.values()])
+            parts = [self.punching.area_inside(line, distance) for distance, line in lines.items()]
+            loads = self.near.inside_each(results, parts)
             for (distance, line), inside in zip(lines.items(), loads, strict=True):
                 legs = counted(line.legs, self.thinner, share_of_thinner, distance, self.d)
                 control = _control((line, legs), distance, self.d, self.around, inside)

@@ -128,13 +128,14 @@ def critical_section(
     face = _counted(way_around(around, line.loaded), around, d)
     if not total_length(legs) > around.rounding:
         return "nothing of its control perimeter is left between openings"
-    thinner = thinner_parts(results, around.footprint, punching.thickness(results), d)
+    reach = line.reach(d)
+    thinner = thinner_parts(results, around.footprint, punching.thickness(results), reach)
     weighted = counted(legs, thinner, depth_share, en1992.DISTANCE * d, d)
     ratio = en1992.MOST_BARS
     if steel.laid:
         side: Literal["bottom", "top"] = "top" if punching.from_below else "bottom"
         ratio = punching_ratio(model.plate, steel, punching.column, d, model.plates, side)
-    near = perimeter_loads.loads_near(results, punching, d)
+    near = perimeter_loads.loads_near(results, punching, reach)
     course, center = line_properties.course(line.ring, around.axes), line_properties.centroid(weighted)
     chain = max(line_properties.chains(line.whole), key=len)
     compressed = steel.bottom_axes if punching.from_below else steel.top_axes
@@ -150,8 +151,8 @@ def critical_section(
         b_0=total_length(face),
         center=center,
         course=course,
-        relieved=_relieved(results, around, near, line, d, punching.edges_within(d)),
-        inside=near.inside(results, line.inside),
+        relieved=_relieved(results, around, near, line, (d, punching)),
+        inside=near.inside(results, punching.area_inside(line, en1992.DISTANCE * d)),
         thinner=thinner,
         chain=chain,
         nodes=len(plate.nodes),
@@ -177,13 +178,15 @@ def _counted(legs: Array, around: Surroundings, d: float) -> Array:
 
 
 def _relieved(
-    results: CombinationResult, around: Surroundings, near: LoadsNear, line: Perimeter, d: float, edges: float
+    results: CombinationResult, around: Surroundings, near: LoadsNear, line: Perimeter, of: tuple[float, PunchingForce]
 ) -> PerimeterLoads:
     """Return what acts up to 0.67 d_v from the face, or inside the control perimeter if there is no such line."""
+    d, punching = of
+    closer = punching.area_inside(line, en1992.DISTANCE * d)
     try:
-        farther = perimeter_at(around, en1992.RELIEVED * d, near=edges)
+        farther = perimeter_at(around, en1992.RELIEVED * d, near=punching.edges_within(d))
     except InputError:
-        return near.inside(results, line.inside)
+        return near.inside(results, closer)
     # one that begins to run out to an edge, or cuts the slab, has another shape
     same = farther.setbacks == line.setbacks and line_properties.shape_of(farther.whole) != "cut"
-    return near.inside(results, farther.inside if same else line.inside)
+    return near.inside(results, punching.area_inside(farther, en1992.RELIEVED * d) if same else closer)

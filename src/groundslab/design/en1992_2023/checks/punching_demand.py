@@ -136,7 +136,7 @@ def _demand(
     concrete, bars = materials(steel, results.limit_state)
     shear = _shear(results, section.relieved, section, punching, steel)
     with_links = _shear(results, section.inside, section, punching, steel)
-    first, second = _eccentricities(results, section, punching)
+    first, second = _eccentricities(results, section, punching, shear)
     beta_e = en1992.beta(en1992.eccentricity(section.course.shape, first, second), *section.widths)
     concentrated = _concentrated(results, section, punching, others, shear.V)
     a_p = _contraflexure(results, section, punching)
@@ -201,9 +201,15 @@ def _shear(
 
 
 def _eccentricities(
-    results: CombinationResult, section: CriticalSection, punching: PunchingForce
+    results: CombinationResult, section: CriticalSection, punching: PunchingForce, shear: PunchingShear
 ) -> tuple[float, float]:
-    """Return how far the support's force, by its own moments, acts from the perimeter's center along its axes [m]."""
+    """Return how far the support's force, by its own moments, acts from the perimeter's center along its axes [m].
+
+    Of a zone, on which walls and other loads stand besides its columns, it is the force of all inside.
+    """
+    if punching.at_zone and shear.V > 0:
+        first, second = section.axes @ (shear.moments / shear.V)
+        return float(first), float(second)
     force, *moments = punching.pushing(results)
     place = np.array(punching.place) + np.array(moments) / force
     first, second = section.axes @ (place - section.center)
@@ -219,9 +225,9 @@ def _stress(
     concentrated: bool,
 ) -> float:
     """Return tau_Ed [Pa]: beta_e V_Ed / (b_0.5 d_v), and that of the analysis if a large force acts close by."""
-    e_b = en1992.eccentricity(section.course.shape, *_eccentricities(results, section, punching))
-    V = _shear(results, section.relieved, section, punching, steel).V
-    by_force = en1992.beta(e_b, *section.widths) * V / (section.b_05 * section.d)
+    shear = _shear(results, section.relieved, section, punching, steel)
+    e_b = en1992.eccentricity(section.course.shape, *_eccentricities(results, section, punching, shear))
+    by_force = en1992.beta(e_b, *section.widths) * shear.V / (section.b_05 * section.d)
     return max(by_force, _of_analysis(results, section, punching) or 0.0) if concentrated else by_force
 
 
