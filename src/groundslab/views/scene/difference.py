@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING, Any
 from groundslab._version import __version__
 from groundslab.design.tables.quantities import nodal_values
 from groundslab.errors import InputError, Issue
-from groundslab.results.fields import LINE_FORCE, PLATE_FIELDS, RANGED_FIELDS
+from groundslab.results.fields import LAYERS, LINE_FORCE, PLATE_FIELDS, RANGED_FIELDS
 from groundslab.results.results import CombinationResult, Results
 from groundslab.schema.wording import one_of
-from groundslab.unit_systems import unit_in
+from groundslab.unit_systems import System, unit_in
 from groundslab.views.difference import Subtracted, find_subtracted, transfer
 from groundslab.views.scene.binary import Blocks, Scene
 from groundslab.views.scene.fields import (
@@ -65,7 +65,7 @@ def difference_of(combined: Results, minus: Subtracted) -> Scene:
         "version": __version__,
         "plan": plan_of(combined.solved_model),
         "mesh": mesh_of(combined.model, list(there.values()), blocks),
-        "fields": [describe_field(name, True, units) for name in names],
+        "fields": [_describe(name, units) for name in names],
         "combinations": [
             _combination(entry, found.get(entry.combination.name), names, values_of, blocks, target.plate.nodes)
             for entry in entries
@@ -74,6 +74,13 @@ def difference_of(combined: Results, minus: Subtracted) -> Scene:
         "difference": "combination" if isinstance(minus, CombinationResult) else "reference",
     }
     return Scene(head, blocks.data)
+
+
+def _describe(name: str, units: System) -> dict[str, Any]:
+    """Return how a field is called and shown; design moments, which have no symbol in tables, get that of pictures."""
+    about = describe_field(name, True, units)
+    face, _, axis = name.partition("_")
+    return about | {"symbol": f"m_{axis} {face}"} if name in LAYERS else about
 
 
 def _names_of(several: Sequence[CombinationResult]) -> list[str]:

@@ -20,14 +20,15 @@ class KeptReferences:
 
     def keep(self, run: int, save: Callable[[str], object]) -> None:
         """Keep the results of a run, which `save` writes into a file; raises InputError."""
-        if run in self._folders:
-            return
         folder = tempfile.TemporaryDirectory(prefix="groundslab-")
         try:
             save(str(_inside(folder)))
         except BaseException:
             folder.cleanup()
             raise
+        # provisional results of the run may have been kept before
+        if before := self._folders.pop(run, None):
+            before.cleanup()
         self._folders[run] = folder
         while len(self._folders) > MOST:
             self._folders.pop(next(iter(self._folders))).cleanup()

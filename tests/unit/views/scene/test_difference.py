@@ -87,3 +87,10 @@ def test_other_results_on_another_mesh_are_subtracted_by_the_names_of_combinatio
     renamed = gs.solve(casefile.loads(text.replace('name = "all"', 'name = "both"')))
     with pytest.raises(InputError, match="a combination that both have"):
         difference_of(solved, renamed)
+
+
+def test_every_field_of_a_difference_has_a_symbol(solved: gs.Results) -> None:
+    """Design moments too, which tables name without one; pictures have nothing else to call them by."""
+    symbols = {field["name"]: field["symbol"] for field in difference_of(solved, solved["dead"]).head["fields"]}
+    assert all(symbols.values())
+    assert symbols["bottom_x"] == "m_x bottom"

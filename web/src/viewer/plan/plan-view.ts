@@ -183,11 +183,11 @@ export class PlanView extends FieldView {
   }
 
   private fitTo(camera: Camera): void {
-    const { axes } = this.layers;
-    const bubbles = (this.layers.columns && this.plan?.axes) || [];
+    const { axes, rulers } = this.layers;
+    const bubbles = (axes && this.plan?.axes) || [];
     const [x0, y0, x1, y1] = this.plan?.bounds ?? [-5, -5, 5, 5];
     const all = boxAround([[x0, y0], [x1, y1], ...bubbles.map(({ bubble }) => bubble)]);
-    camera.fit(all, 36, axes ? RULER.left : 0, axes ? RULER.bottom + 14 : 0);
+    camera.fit(all, 36, rulers ? RULER.left : 0, rulers ? RULER.bottom + 14 : 0);
   }
 
   protected override redraw(): void {

@@ -27,7 +27,7 @@ function isUsable(control: Element): boolean {
 
 /** Whether Tab may reach a control. */
 function isReached(control: HTMLElement): boolean {
-  return control.tabIndex >= 0 && isUsable(control);
+  return control.tabIndex >= 0 && isUsable(control) && control.checkVisibility();
 }
 
 /** Return the control nearest to a place: the next one in the innermost box that has any, else the one before. */
@@ -75,11 +75,13 @@ export function areaKeys(areas: readonly HTMLElement[]): (by: 1 | -1) => void {
   });
   return (by) => {
     const now = areaOf(document.activeElement);
-    const at = now ? areas.indexOf(now) + by : 0;
-    const area = areas[(at + areas.length) % areas.length]!;
-    const before = last.get(area);
-    const control =
-      before && isUsable(before) ? before : [...area.querySelectorAll<HTMLElement>(CONTROLS)].find(isReached);
-    control?.focus();
+    const at = now ? areas.indexOf(now) : -1;
+    const others = areas.map((_, n) => areas.at((at + by * (n + 1)) % areas.length)!);
+    for (const area of others) {
+      const before = last.get(area);
+      const isThere = before && isUsable(before) && before.checkVisibility();
+      const control = isThere ? before : [...area.querySelectorAll<HTMLElement>(CONTROLS)].find(isReached);
+      if (control) return control.focus();
+    }
   };
 }

@@ -46,7 +46,7 @@ export function planEditor(store: Store, context: FormContext, send: (change: Ch
     pointer.cancel();
     showHint(tool.hint);
     canvas.element.dataset.tool = tool.draws;
-    canvas.element.focus({ preventScroll: true });
+    passFocus(tools.element, canvas.element);
   };
   const tools = toolBar({
     onChange: takeTool,
@@ -90,6 +90,12 @@ export function planEditor(store: Store, context: FormContext, send: (change: Ch
   });
   store.on(["data", "selection"], () => panel.show(store.selected));
   return { element, reveal: (path) => selectAt(store, canvas, path) && panel.reveal(path) };
+}
+
+/** Let the drawing have the keyboard, unless it is elsewhere than at the tools, as where one of them is put down. */
+function passFocus(tools: HTMLElement, drawing: HTMLElement): void {
+  const { activeElement } = document;
+  if (activeElement === document.body || tools.contains(activeElement)) drawing.focus({ preventScroll: true });
 }
 
 /** Select the item that a path is in, none for the slab itself; returns whether it is in any. */

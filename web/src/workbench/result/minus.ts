@@ -27,7 +27,7 @@ export class Minus {
   /** `onChoose` is called when something else is chosen. */
   constructor(
     private readonly api: DifferenceApi,
-    onChoose: () => void,
+    private readonly onChoose: () => void,
   ) {
     this.select.addEventListener("change", () => {
       this.chosen = this.select.value;
@@ -53,14 +53,27 @@ export class Minus {
 
   /** Let the server keep the results of a run as the reference that can be subtracted. */
   async keep(run: number): Promise<void> {
-    await this.api.keepReference(run);
-    this.reference = run;
-    this.update();
+    const isShown = this.chosen === REFERENCE;
+    this.reference = null; // whatever comes of it, the one before is no longer meant
+    try {
+      await this.api.keepReference(run);
+      this.reference = run;
+    } finally {
+      this.update();
+      if (isShown) this.onChoose();
+    }
+  }
+
+  /** Say over the picture that the difference will come, if something is subtracted. */
+  announce(): void {
+    this.label.hidden = this.subtracted === null;
+    setText(this.label, "Computing the difference …");
   }
 
   /** Subtract nothing. */
   reset(): void {
     this.chosen = "";
+    this.label.hidden = true;
     this.update();
   }
 

@@ -106,12 +106,14 @@ export class Picture {
     const { turn } = this;
     this.referenceLabel.hidden = true;
     this.view.setScene(result);
+    this.minus.announce();
     this.markSelected();
     const show = (difference: Scene | null) => {
       if (difference && turn === this.turn) this.view.setScene(difference, true);
     };
     this.minus.fetch(this.run).then(show, (error: unknown) => {
-      if (turn !== this.turn) return;
+      // the results of a later run come next, with a difference of their own
+      if (turn !== this.turn || this.store.solved?.run !== this.run) return;
       this.minus.reset();
       this.onError(error);
     });

@@ -143,7 +143,8 @@ export class ResultTables {
     const name = group?.choice.value;
     const wanted = `${run} ${update} ${name}`;
     const isCurrent = () => run === this.run && update === this.update;
-    if (!group || !name || run === null || group.shown === wanted) return;
+    if (!group || !name || run === null) return;
+    if (group.shown === wanted) return group.say("");
     group.panel.setAttribute("aria-busy", "true");
     if (!this.kept.has(name)) group.say(`The table is being made: ${translate(group.tables[name] ?? name)} …`);
     try {

@@ -47,9 +47,11 @@ function renamesOf(before: Table, after: Table, edit: Edit): Renames {
       if (name !== axis.name) renames.set(axis.name, name);
     }
   }
-  const isOne = (axes: readonly Axis[], name: string) => axes.filter((axis) => axis.name === name).length === 1;
-  // names of several axes do not say which one is meant
-  return new Map([...renames].filter(([from, to]) => isOne(old, from) && (to === null || isOne(now, to))));
+  const count = (axes: readonly Axis[], name: string) => axes.filter((axis) => axis.name === name).length;
+  // names of several axes do not say which one is meant: what is attached to one of them stays where it is
+  const shared = old.filter(({ name }) => count(now, renames.get(name) ?? name) > 1);
+  for (const { name } of shared) renames.set(name, null);
+  return new Map([...renames].filter(([from]) => count(old, from) === 1));
 }
 
 function isOf(family: number): (axis: Axis) => boolean {

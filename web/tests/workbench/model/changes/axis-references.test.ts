@@ -61,10 +61,16 @@ describe("references to axes", () => {
     expect(atOf(done(named, { op: "remove", path: ["axes", 0, "names"] }), "columns")).toBe("B/2");
   });
 
-  it("stay where names are taken, cannot be read, or are those of several axes", () => {
+  it("go where two axes get one name, so that swapped names move nothing", () => {
+    const taken = done(DATA, set(["axes", 1, "first"], "B"));
+    expect([0, 1].map((n) => atOf(taken, "columns", n))).toEqual([undefined, undefined]);
+    const swapped = done(DATA, set(["axes", 0, "first"], "1"), set(["axes", 1, "first"], "A"));
+    for (const data of [taken, swapped]) expect(placesOf(data)).toEqual(placesOf(DATA));
+  });
+
+  it("stay where names cannot be read, or are those of several axes", () => {
     const same = (data: Table, edit: Edit) =>
       expect(followAxes(data, { edits: [edit], text: "" }).edits).toEqual([edit]);
-    same(DATA, set(["axes", 1, "first"], "B"));
     same(DATA, set(["axes", 1, "first"], "X/"));
     same(DATA, set(["axes", 0, "distances"], "6 metres"));
     same(POLAR, set(["axes", 0, "angles"], [0, "x", 180]));
