@@ -14,6 +14,8 @@ from groundslab.schema.wording import describe
 
 #: Resolution of a drag on a plate of a meter or more [m].
 STEP = 1e-3
+#: Lengths beyond this are none of a plan [m].
+LARGEST = 1e9
 #: Keys whose values are points in plan, or lists of points.
 POINT_KEYS = ("points", "start", "end", "centre", "about")
 #: Keys of shapes, which move with the item that they belong to.
@@ -64,7 +66,7 @@ def _format(old: Any, new: Any, unit: str, step: float) -> Any:
             _format(olds[number] if number < len(olds) else None, length, unit, step)
             for number, length in enumerate(new)
         ]
-    if isinstance(new, bool) or not isinstance(new, int | float) or not math.isfinite(new):
+    if isinstance(new, bool) or not isinstance(new, int | float) or not abs(new) <= LARGEST:
         raise InputError([Issue("the edit", describe(new), "a length in meters, or a list of lengths")])
     parts = _split_quantity(old)
     blank, own_unit = parts.group("blank", "unit") if parts else (" ", unit)

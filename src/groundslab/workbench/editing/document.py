@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 import tomllib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -218,7 +217,7 @@ def _drop_none(value: Any) -> Any:
 def _get_distances(edit: Edit) -> tuple[float, float]:
     """Return the translation of an edit [m]."""
     match edit.get("by"):
-        case [int() | float() as x, int() | float() as y] if math.isfinite(x) and math.isfinite(y):
+        case [int() | float() as x, int() | float() as y] if abs(x) <= lengths.LARGEST and abs(y) <= lengths.LARGEST:
             return float(x), float(y)
         case by:
             raise InputError([Issue("the edit", describe(by), "two distances in meters")])

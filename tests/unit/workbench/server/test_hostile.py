@@ -101,7 +101,7 @@ def test_edits_of_anything(client: Client) -> None:
     for _ in range(400):
         edit = {"op": choose(["set", "length", "add", "remove", "rename", "reorder", "text", "move", "", 5])}
         edit["path"] = choose([["plate", "E"], ["loads", 0], ["columns", 0, "name"], ["loads"], client.anything()])
-        edit |= {name: client.anything() for name in ("value", "name", "at", "to") if choose([True, False])}
+        edit |= {name: client.anything() for name in ("value", "name", "at", "by") if choose([True, False])}
         if client.post("/api/edits", {"edits": [edit]}) == 200:
             taken += 1
             client.post("/api/undo", {})
