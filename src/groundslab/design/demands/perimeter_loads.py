@@ -250,6 +250,11 @@ class LoadsNear:
         return PerimeterLoads(nodes, area[nodes], *edge_inside(results.plate, part), others, supported, crossings)
 
 
+def reach_of(line: Perimeter, distance: float) -> float:
+    """Return how far from the footprint a perimeter at a distance runs at most, straight out to edges too [m]."""
+    return distance + sum(line.setbacks)
+
+
 def loads_near(results: CombinationResult, punching: PunchingForce, within: float) -> LoadsNear:
     """Return the loads near a column or pile whose perimeters are within a distance [m]."""
     from shapely import LineString, Point

@@ -154,10 +154,6 @@ class Perimeter:
         """Return the length of all of it [m]."""
         return total_length(self.whole)
 
-    def reach(self, distance: float) -> float:
-        """Return how far from the footprint it runs at most, straight out to edges too, by its distance [m]."""
-        return distance + sum(self.setbacks)
-
 
 class SketchedPerimeter(NamedTuple):
     """What a sketch of a perimeter shows."""

@@ -135,7 +135,7 @@ def section_at(
         return CUT
     column = punching.column
     sides = column.width_x or 1.0, column.width_y or 1.0  # a round column has none, and beta = 1
-    reach = line.reach(distance)
+    reach = perimeter_loads.reach_of(line, distance)
     near = perimeter_loads.loads_near(results, punching, reach)
     loads = near.inside(results, punching.area_inside(line, distance))
     thinner = thinner_parts(results, footprint.footprint(), punching.thickness(results), reach)

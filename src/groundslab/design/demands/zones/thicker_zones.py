@@ -18,7 +18,7 @@ import numpy as np
 
 from groundslab.arrays import Array, made_once
 from groundslab.design.by_plate import split_by_plate
-from groundslab.design.demands.perimeter_loads import PunchingForce, punching_columns, punching_piles
+from groundslab.design.demands.perimeter_loads import PunchingForce, punching_columns, punching_piles, reach_of
 from groundslab.design.demands.perimeters import Perimeter, ZoneFootprint, area_of, outline
 from groundslab.fem.mesh import SIDES
 from groundslab.geometry.places import same_place
@@ -91,7 +91,7 @@ class ZoneForce(PunchingForce):
         assert region is not None
         if region.area > (1 - RECESS) * region.convex_hull.area:
             return line.inside
-        return line.inside.intersection(region.buffer(line.reach(distance), join_style="mitre"))
+        return line.inside.intersection(region.buffer(reach_of(line, distance), join_style="mitre"))
 
     @cached_property
     def footprint(self) -> ZoneFootprint:

@@ -128,7 +128,7 @@ def critical_section(
     face = _counted(way_around(around, line.loaded), around, d)
     if not total_length(legs) > around.rounding:
         return "nothing of its control perimeter is left between openings"
-    reach = line.reach(d)
+    reach = perimeter_loads.reach_of(line, d)
     thinner = thinner_parts(results, around.footprint, punching.thickness(results), reach)
     weighted = counted(legs, thinner, depth_share, en1992.DISTANCE * d, d)
     ratio = en1992.MOST_BARS
