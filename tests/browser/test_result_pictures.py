@@ -7,49 +7,22 @@ from pathlib import Path
 import pytest
 
 from helpers.browsing import Bench, Server
+from helpers.two_combinations import open_two
 
 pytestmark = pytest.mark.slow
 
-TWO = """
-[[cases]]
-name = "G"
-
-[[cases]]
-name = "Q"
-
+#: A load on the entire slab, in the case of both combinations.
+WEIGHT = """
 [[loads]]
 case = "G"
 kind = "uniform"
 q = "100 kPa"
-
-[[loads]]
-case = "Q"
-kind = "uniform"
-q = "10 kPa"
-
-[[combinations]]
-name = "heavy"
-limit_state = "characteristic"
-factors = {G = 1.0, Q = 1.0}
-
-[[combinations]]
-name = "light"
-limit_state = "characteristic"
-factors = {G = 1.0}
 """
-
-
-def open_two(server: Server, bench: Bench, case: Path) -> None:
-    """Open a case with two combinations and wait for its results."""
-    text = case.read_text().replace('column = "A1"\nP', 'case = "G"\ncolumn = "A1"\nP')
-    case.write_text(text + TWO)
-    bench.open(server.start(case))
-    bench.wait_solved()
 
 
 def test_a_combination_and_a_reference_are_subtracted(server: Server, bench: Bench, case: Path, tmp_path: Path) -> None:
     """10 kPa on 20 MPa/m settle 0.5 mm; the picture says what minus what, is exported, and follows edits."""
-    open_two(server, bench, case)
+    open_two(server, bench, case, WEIGHT)
     page = bench.page
     minus, label = page.get_by_label("Minus", exact=True), page.locator(".difference-over")
     assert label.is_hidden()

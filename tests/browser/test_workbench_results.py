@@ -7,39 +7,9 @@ from pathlib import Path
 import pytest
 
 from helpers.browsing import Bench, Server
+from helpers.two_combinations import open_two
 
 pytestmark = pytest.mark.slow
-
-TWO = """
-[[cases]]
-name = "G"
-
-[[cases]]
-name = "Q"
-
-[[loads]]
-case = "Q"
-kind = "uniform"
-q = "10 kPa"
-
-[[combinations]]
-name = "heavy"
-limit_state = "characteristic"
-factors = {G = 1.0, Q = 1.0}
-
-[[combinations]]
-name = "light"
-limit_state = "characteristic"
-factors = {G = 1.0}
-"""
-
-
-def open_two(server: Server, bench: Bench, case: Path) -> None:
-    """Open the case with two combinations and wait for its results."""
-    text = case.read_text().replace('column = "A1"\nP', 'case = "G"\ncolumn = "A1"\nP')
-    case.write_text(text + TWO)
-    bench.open(server.start(case))
-    bench.wait_solved()
 
 
 def test_tables_are_shown_sorted_filtered_and_followed(server: Server, bench: Bench, case: Path) -> None:
