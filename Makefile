@@ -13,6 +13,8 @@ JOBS   ?= 2
 PYTHONS ?= 3.11 3.12 3.13 3.14
 # cases that dist-pythons verifies, such as CASES="beam paper"; all if there are none
 CASES  ?=
+# where another solver can make a difference
+SOLVING := tests/unit/solvers tests/unit/analysis tests/unit/results tests/verification tests/properties
 # options for the bench, such as BENCH=--resume
 BENCH  ?=
 
@@ -67,9 +69,9 @@ test-slow: $(VENV)/dev.stamp pages ## the slow tests
 coverage: $(VENV)/dev.stamp pages ## the fast tests, and how much of the code they run
 	$(PYTEST) -m "not slow" --cov --cov-report=term
 
-test-solvers: $(VENV)/dev.stamp pages ## the fast tests with each solver that can take PARDISO's place
-	$(PYTEST) --no-cov -m "not slow" --solver cholmod
-	$(PYTEST) --no-cov -m "not slow" --solver superlu
+test-solvers: $(VENV)/dev.stamp pages ## the fast tests of what solves, with each solver that can take PARDISO's place
+	$(PYTEST) --no-cov -m "not slow" --solver cholmod $(SOLVING)
+	$(PYTEST) --no-cov -m "not slow" --solver superlu $(SOLVING)
 
 test-oldest: $(VENV)/dev.stamp pages ## the fast tests with the oldest dependencies that pyproject.toml allows
 	$(BIN)/uv venv --quiet --clear --python $(BIN)/python $(OLDEST)
