@@ -24,6 +24,8 @@ from groundslab.schema.section_fields import Table
 
 #: Strengths for which EN 1992-1-1 has rules (3.1.2(2), 3.2.2(3)).
 CONCRETE, STEEL = Range(at_least=12e6, at_most=90e6), Range(at_least=400e6, at_most=600e6)
+#: Grades 40 to 100 (ACI 318-19 Table 20.2.2.4(a)); by EN 1992-1-1 f_yk is that of STEEL (3.2.2(3)).
+ANY_STEEL = Range(at_least=276e6, at_most=690e6)
 PARTIAL = Range(at_least=0.1, at_most=10)
 AGGREGATE = Range(at_least=1e-3, at_most=0.15)
 CRACK = Range(at_least=5e-5, at_most=1e-3)
@@ -157,10 +159,13 @@ def check_concrete(concrete: str | None, f_ck: float | None) -> Iterator[Relativ
         yield RelativeIssue(("concrete",), found, "one of them", 'such as concrete = "C30/37"')
 
 
-def _check_steel(steel: str | None, f_yk: float | None) -> Iterator[RelativeIssue]:
+def _check_steel(code: str, steel: str | None, f_yk: float | None) -> Iterator[RelativeIssue]:
     if (steel is None) == (f_yk is None):
         found = "neither steel nor f_yk" if steel is None else "both steel and f_yk"
         yield RelativeIssue(("steel",), found, "one of them", 'such as steel = "B500B"')
+    if f_yk is not None and code != "ACI 318" and not STEEL.holds(f_yk):
+        expected = f"400 to 600 MPa by {code}"
+        yield RelativeIssue(("f_yk",), f"{f_yk / 1e6:g} MPa", expected, "ACI 318 knows 276 to 690 MPa")
 
 
 def _check_fire(fire: str | None, given: set[str]) -> Iterator[RelativeIssue]:
@@ -205,7 +210,7 @@ class Reinforcement(Section):
     f_yk: Annotated[
         float | None,
         Quantity(
-            "pressure", "f_yk", "characteristic yield strength of the steel, if no class", STEEL, example="500 MPa"
+            "pressure", "f_yk", "characteristic yield strength of the steel, if no class", ANY_STEEL, example="500 MPa"
         ),
     ] = None
     gamma_c: Annotated[
