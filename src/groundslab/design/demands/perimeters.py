@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 import numpy as np
 
 from groundslab.arrays import Array, Integers, Memo
-from groundslab.design.demands.line_properties import total_length
+from groundslab.design.demands.line_properties import shape_of, total_length
 from groundslab.errors import InputError, Issue
 from groundslab.fem.mesh import sides_on_boundary
 from groundslab.fem.shape_functions import lagrange
@@ -227,9 +227,10 @@ def perimeter_at(
     """Return the shortest perimeter on the plate at a distance [m] from a footprint (EN 1992-1-1 6.4.2).
 
     It runs around the footprint, with rounded corners, and ends where it meets the plate's edge (Figure 6.13), or runs
-    straight out to one or several edges at a right angle, if that is shorter (Figure 6.15). Lengths of the free edge
-    itself do not count, nor what lies in the shadow of openings (Figure 6.14). With `square` its corners are square, as
-    those of ACI 318-19 22.6.4.1. It may run out to edges up to a setback `near` [m], by default the distance.
+    straight out to one or several edges at a right angle, if that is shorter (Figure 6.15), unless it then cuts the
+    plate from edge to edge and the one all around lies on the plate. Lengths of the free edge itself do not count, nor
+    what lies in the shadow of openings (Figure 6.14). With `square` its corners are square, as those of ACI 318-19
+    22.6.4.1. It may run out to edges up to a setback `near` [m], by default the distance.
 
     Raises
     ------
@@ -247,6 +248,9 @@ def perimeter_at(
     regions = [polygon.buffer(distance, quad_segs=QUARTER_CHORDS, join_style=join) for _, polygon in stretched]
     ways = [_cut_off(around, region) for region in regions]
     shortest = min(range(len(ways)), key=lambda i: total_length(ways[i][1]))
+    # one that cuts the plate from edge to edge is one-way shear, checked beside the one all around on the plate
+    if shape_of(ways[shortest][1]) == "cut" and around.filled.covers(regions[0]):
+        shortest = 0
     inside, whole = ways[shortest]
     opened = not around.shadow.is_empty
     ring = _cut_off(around, regions[shortest], filled=True)[1] if opened else whole

@@ -256,3 +256,11 @@ def test_an_opening_that_reaches_around_the_column() -> None:
     line = perimeter(plate_of(mesh), column, 0.2, Openings(2.0))
     low, high = np.arctan2(-2.0, 0.5), np.pi - np.arctan2(1.25, 2.5)
     assert line.u == pytest.approx((2 * np.pi - (high - low)) * 0.4, rel=1e-4)
+
+
+@pytest.mark.parametrize(("length_x", "length_y", "expected"), [(2.0, 2.0, np.pi * (1.0 + 0.6)), (8.0, 1.58, 2 * 1.58)])
+def test_a_perimeter_on_a_pad_is_closed_where_it_lies_on_it(length_x: float, length_y: float, expected: float) -> None:
+    """0.3 m around 1 m: pi (1 + 0.6) m on a pad of 2 m, though straight cuts are shorter; cuts of 1.58 m on a strip."""
+    plate = plate_of(straight(8, 8, length_x, length_y))
+    line = perimeter(plate, RoundColumn(length_x / 2, length_y / 2, 1.0), 0.3, near=0.6)
+    assert line.u == pytest.approx(expected, rel=CHORDS)
