@@ -33,6 +33,7 @@ class Annex:
     c_rd_c_punching: float
     face: float
     k_max: float
+    least_beta: float
     rho_strength: float
     links_alone: bool
     link_rows: tuple[float, float, float]

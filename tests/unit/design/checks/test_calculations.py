@@ -178,6 +178,17 @@ def test_links_that_only_inner_perimeters_need() -> None:
     assert (beyond.u, beyond.last) == (pytest.approx(0.9 * 3.0 / 0.8), around[-1])
 
 
+def test_least_beta_by_the_german_annex() -> None:
+    """A centered column has beta 1.0, but 1.10 by NA.6.39.1 and NA.6.51.1, so that v_Ed is 1.10 V_Ed / (u d)."""
+    for annex, least in (("recommended", 1.0), ("Germany", 1.1)):
+        table = sheets(MIDDLE, steel={"annex": annex})
+        assert follow(table) >= 6
+        found = of(table, "punching")
+        assert found["beta"] == pytest.approx(least, abs=1e-6)
+        assert found["v_Ed"] == pytest.approx(least * found["V_Ed"] / (found["u"] * found["d"]), rel=1e-6)
+        assert found.get("beta_min", 1.0) == least
+
+
 def test_links_alone_by_the_german_annex() -> None:
     """The two inner rows carry all of beta V_Ed with f_ywd,ef, and there is no u_out but by 1.4 v_Rd.
 

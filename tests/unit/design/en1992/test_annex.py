@@ -80,6 +80,7 @@ def test_punching_by_annex() -> None:
     assert punching.max_resistance(concrete("United Kingdom")) == pytest.approx(0.5 * 0.528 * 20e6)
     assert punching.max_resistance(concrete("Germany")) is None
     assert [annex_of(name).k_max for name in ANNEXES] == [1.5, 1.4, 2.0]
+    assert [annex_of(name).least_beta for name in ANNEXES] == [1.0, 1.1, 1.0]
 
 
 def test_links_of_two_rows() -> None:

@@ -329,7 +329,7 @@ def _stress(results: CombinationResult, site: _Site, control: ControlPerimeter) 
         results, control.loads, site.punching, control.center, edge_relieves=site.steel.line_force_relieves
     )
     applied = site.punching.pushing(results)[1:]
-    beta = _beta(control, shear.moments, shear.V, applied) if shear.V > 0 else 1.0
+    beta = _beta(site, control, shear.moments, shear.V, applied) if shear.V > 0 else 1.0
     turned = control.course.frame @ shear.moments
     v_Ed = beta * shear.V / (control.u * site.d)
     return Stress(
@@ -353,7 +353,7 @@ def _face_stress(results: CombinationResult, site: _Site, face: ControlPerimeter
     stress = _stress(results, site, face)
     force, *applied = site.punching.pushing(results)
     moments = np.array(applied) + force * (np.array(site.punching.place) - outer.center)
-    beta = _beta(outer, moments, float(force), np.array(applied))
+    beta = _beta(site, outer, moments, float(force), np.array(applied))
     return replace(
         stress,
         beta=beta,
@@ -362,19 +362,21 @@ def _face_stress(results: CombinationResult, site: _Site, face: ControlPerimeter
     )
 
 
-def _beta(control: ControlPerimeter, moments: Array, force: float, applied: Array) -> float:
+def _beta(site: _Site, control: ControlPerimeter, moments: Array, force: float, applied: Array) -> float:
     """Return beta of moments (2,) [N m] of forces along x and y about a perimeter's center (6.4.3, 6.4.4(2)).
 
     Values for edges and corners (6.4.3(4) and (5), Figure 6.21N) are for perimeters without openings and for moments
     `applied` (2,) [N m] of the column that do not bend it outwards; else 6.39 counts, if it is larger.
+    None is less than that of the annex.
     """
+    least = materials(site.steel)[0].annex.least_beta
     turned, shape = control.course.frame @ moments, control.course.shape
     general = en1992.beta(list(turned), list(control.shares), force, control.u, list(control.moduli))
     if shape == "closed":
-        return general
+        return max(least, general)
     simple = en1992.CORNER
     if shape == "edge":
         along, share, W = float(turned[0]), float(control.shares[0]), float(control.moduli[0])
         simple = en1992.beta_at_an_edge(control.reduced, along, share, force, control.u, W)
     outwards = (control.course.inward @ applied < -NO_ECCENTRICITY * force).any()
-    return max(simple, general) if control.opened or outwards else simple
+    return max(least, simple, general) if control.opened or outwards else max(least, simple)

@@ -51,6 +51,8 @@ def at_walls(combined: Results, steel: Reinforcement) -> Iterator[Calculation]:
     return _governing(wall_demands(combined), steel, None)
 
 
+#: Where DIN EN 1992-1-1/NA, the one annex with a bound, has the least beta: for slabs and for foundations.
+LEAST_BETA = "6.4.3(3), NA.6.39.1, 6.4.4(2), NA.6.51.1"
 #: The calculations by their names.
 STEPS = (
     ("punching", at_columns),
@@ -87,7 +89,7 @@ def _steps(demand: Demand, stress: Stress, steel: Reinforcement, one: Pushing | 
     yield Step(words, "u", stress.u, "m", clause="6.4.2")
     yield Step("effective depth", "d", demand.d, "m", clause="6.4.2(1)")
     if stress.control is not None:
-        yield from _beta(stress, stress.control)
+        yield from _beta(stress, stress.control, concrete.annex.least_beta)
     else:
         yield Step("factor for an end or a corner", "beta", stress.beta, clause="DIN EN 1992-1-1/NA Figure NA.6.21.1")
     yield Step("stress", "v_Ed", stress.v_Ed / MEGA, "MPa", en1992.FORMULAS["v_Ed"], "6.4.3(3), 6.38")
@@ -99,23 +101,28 @@ def _steps(demand: Demand, stress: Stress, steel: Reinforcement, one: Pushing | 
         yield from _face(demand.face, concrete)
 
 
-def _beta(stress: Stress, control: ControlPerimeter) -> Iterator[Step]:
+def _beta(stress: Stress, control: ControlPerimeter, least: float) -> Iterator[Step]:
     """Yield how beta follows from the moments of all forces inside about the perimeter's center."""
     shares, moduli = [*map(float, control.shares)], [*map(float, control.moduli)]
     general = en1992.beta(stress.moments, shares, stress.V_Ed, stress.u, moduli)
+    bounded = "max(beta_min, {})" if least > 1 else "{}"
+    bound = [Step("least factor of the annex", "beta_min", least, clause=LEAST_BETA)] if least > 1 else []
     of_both = [
         (Step(f"moment of all forces by their places along axis {n}", f"M_{n}", moment / MEGA, "MNm"),
          Step("share of it that shear transfers", f"k_{n}", share, clause="Table 6.1"),
          Step(f"modulus of the perimeter along axis {n}", f"W_{n}", W, "m2", clause="6.40"))
         for n, moment, share, W in zip((1, 2), stress.moments, shares, moduli, strict=True)
     ]  # fmt: skip
-    if math.isclose(stress.beta, general, rel_tol=SAME):
+    if math.isclose(stress.beta, max(least, general), rel_tol=SAME):
         yield from (step for axis in of_both for step in axis)
-        yield Step("factor for moments", "beta", stress.beta, "", en1992.FORMULAS["beta"], "6.4.3(3), 6.39, 6.51")
+        yield from bound
+        formula = bounded.format(en1992.FORMULAS["beta"])
+        yield Step("factor for moments", "beta", stress.beta, "", formula, "6.4.3(3), 6.39, 6.51")
     elif control.course.shape == "edge":
         yield from of_both[0]
         yield Step("share of the perimeter that counts, u_1* / u_1", "s", control.reduced, clause="6.4.3(4)")
-        formula = en1992.FORMULAS["beta at an edge"]
+        yield from bound
+        formula = bounded.format(en1992.FORMULAS["beta at an edge"])
         yield Step("factor for moments along the edge", "beta", stress.beta, "", formula, "6.4.3(4), 6.44")
     else:
         yield Step("factor for a column at a corner", "beta", stress.beta, clause="6.4.3(6), Figure 6.21N")
