@@ -158,8 +158,7 @@ def _require_plates_held(problem: Problem, state: Integers, force: Array, pressi
             moves = "the joined plates can move"
         raise NeutralEquilibrium(
             f"{prefix}the equilibrium is neutral: {moves} without any resistance, so that the settlement is one of "
-            "many; support it there, add the load that decides where it comes to rest, or glue it to the ground with "
-            "contact.tensionless = false"
+            "many; support it there, or add the load that decides where it comes to rest"
         )
 
 
@@ -341,8 +340,8 @@ def _reason(problem: Problem, corners: Array, motions: Array, scale: Array, work
     if MARGIN * problem.loading.size.sum() >= F:
         return (
             f"the loads do not press the plate down: their sum is {F * share / 1e3:.6g} kN (downwards positive), and "
-            "ground that cannot pull holds nothing against it; add the missing load (self weight?), or glue the plate "
-            "to the ground with contact.tensionless = false"
+            "ground that cannot pull holds nothing against it; add the missing load (self weight?), or supports "
+            "that hold it down"
         )
     place = [0.0 if mirrored else value / F for value, mirrored in zip((Fx, Fy), problem.symmetry, strict=True)]
     x, y = (format_coordinate(value + start) for value, start in zip(place, problem.origin, strict=True))

@@ -11,7 +11,7 @@ from collections.abc import Iterator, Sequence
 from typing import Any, NamedTuple
 
 from groundslab.design.basis.calculation import MEGA, Step
-from groundslab.design.basis.check import DesignCheck, some
+from groundslab.design.basis.check import ROUNDING, DesignCheck, Status, some
 from groundslab.design.basis.combinations import solved_results
 from groundslab.design.demands.loads import column_loads
 from groundslab.design.demands.perimeters import outline
@@ -55,7 +55,7 @@ def _failure(combined: Results, combination: Combination) -> DesignCheck:
 
 
 def _balanced(combined: Results, made: list[Combination]) -> DesignCheck:
-    """Return the check that no combination of a limit state lacks equilibrium."""
+    """Return the check that no combination lacks equilibrium; ground that is glued to the plate holds nothing here."""
     name, clause = _CHECKS[made[0].limit_state]
     solved = [combination for combination in made if combination.name in combined.results]
     numbers = _uplift(combined, solved) if made[0].limit_state == "uplift" else {}
@@ -64,7 +64,12 @@ def _balanced(combined: Results, made: list[Combination]) -> DesignCheck:
         words = "the combination is in equilibrium"
     if len(solved) < len(made):
         words = f"{len(solved)} of {len(made)} combinations are in equilibrium, the others have no certified result"
-    return DesignCheck(name, "no failure found", words, clause=clause, foundation=True, **numbers)
+    status: Status = "no failure found"
+    if numbers and numbers["demand"] > numbers["resistance"] * (1 + ROUNDING):
+        status, words = "fails", "actions upwards exceed those downwards"
+    elif not (numbers or combined.model.contact.tensionless):
+        status, words = "attention", "not judged: the plate is glued to the ground, which holds it against any load"
+    return DesignCheck(name, status, words, clause=clause, foundation=True, **numbers)
 
 
 def _uplift(combined: Results, made: list[Combination]) -> dict[str, Any]:

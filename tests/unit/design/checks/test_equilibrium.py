@@ -43,6 +43,17 @@ def test_uplift_by_hand() -> None:
     assert check.combination == "UPL 3"
 
 
+def test_glued_ground_hides_no_uplift() -> None:
+    """Glued to the ground: 1 x 40 x 24 = 960 kN against 0.9 x 7.5 x 24 = 162 kN fail 5.93 times."""
+    check = uplift(40e3, contact={"tensionless": False})
+    assert (check.name, check.status, check.combination) == ("uplift by actions", "fails", "UPL 3")
+    assert (check.demand, check.resistance) == (pytest.approx(960), pytest.approx(162))
+    assert check.utilisation == pytest.approx(5.926, abs=1e-3)
+    assert uplift(6e3, contact={"tensionless": False}).status == "no failure found"
+    supports = [{"kind": "point", "x": 0, "y": 0, "stiffness": 50e6}]
+    assert uplift(7e3, contact={"tensionless": False}, supports=supports, mesh={"size": 1.0}).status == "attention"
+
+
 def test_supports_that_hold_the_slab_down() -> None:
     """With anchors the analysis alone decides: no forces are compared, in which theirs would be missing."""
     anchors = [{"kind": "point", "x": x, "y": y, "stiffness": 50e6} for x in (-2, 2) for y in (-1, 1)]
