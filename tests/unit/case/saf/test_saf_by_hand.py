@@ -292,6 +292,25 @@ def test_a_slab_says_what_is_not_taken_of_it(tmp_path: Path) -> None:
     assert "a unit weight of its own" in said
 
 
+@pytest.mark.parametrize(
+    ("action", "group", "kind"),
+    [
+        ("Variable", "Permanent", "variable"), ("Permanent", "Variable", "variable"),
+        ("Permanent", "Permanent", "permanent"), ("", "Permanent", "permanent"),
+    ],
+)  # fmt: skip
+def test_action_type_and_group_that_contradict_are_said(tmp_path: Path, action: str, group: str, kind: str) -> None:
+    """A case that one of two columns calls variable is variable, and a note names both; else nothing is said."""
+    sheets = slab()
+    sheets["StructuralLoadGroup"][1][1] = group
+    sheets["StructuralLoadCase"][1][1] = action
+    sheets["StructuralSurfaceActionFree"] = free("-5")
+    found = read(tmp_path, sheets)
+    assert case_of(found.model).action == kind
+    said = f'action type "{action}" in a group of type "{group.lower()}", taken as variable'
+    assert (said in notes(found)) == (bool(action) and action != group)
+
+
 def combinations(*rows: list[Any]) -> saf_files.Sheets:
     """Return the slab with a permanent case, two of wind that exclude each other, and combinations."""
     sheets = slab()

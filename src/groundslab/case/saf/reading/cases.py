@@ -50,7 +50,11 @@ def _read_action(context: ReadContext, row: Row, group: Row | None) -> dict[str,
     kind = word(group, "loadgrouptype") if group is not None else ""
     if "seismic" in (kind, word(row, "loadtype")):
         return {"action": "seismic"}
-    if kind in get_args(Kind):
+    given = text(row, "actiontype")
+    if given and {action, kind} == {"permanent", "variable"}:
+        action = "variable"  # the larger factor
+        context.note(row, f"action type {describe(given)} in a group of type {describe(kind)}, taken as variable")
+    elif kind in get_args(Kind):
         action = kind
     elif kind:
         context.note(row, f"a group of type {kind}, taken as {action}")
