@@ -227,10 +227,11 @@ def perimeter_at(
     """Return the shortest perimeter on the plate at a distance [m] from a footprint (EN 1992-1-1 6.4.2).
 
     It runs around the footprint, with rounded corners, and ends where it meets the plate's edge (Figure 6.13), or runs
-    straight out to one or several edges at a right angle, if that is shorter (Figure 6.15), unless it then cuts the
-    plate from edge to edge and the one all around lies on the plate. Lengths of the free edge itself do not count, nor
-    what lies in the shadow of openings (Figure 6.14). With `square` its corners are square, as those of ACI 318-19
-    22.6.4.1. It may run out to edges up to a setback `near` [m], by default the distance.
+    straight out to one or several edges at a right angle, if that is shorter (Figure 6.15). Where the shortest one cuts
+    the plate from edge to edge, which is one-way shear, and the one all around lies on the plate, as on a pad, it is
+    the shortest of this one and those that run out to edges nearer than the opposite ones. Lengths of the free edge
+    itself do not count, nor what lies in the shadow of openings (Figure 6.14). With `square` its corners are square, as
+    those of ACI 318-19 22.6.4.1. It may run out to edges up to a setback `near` [m], by default the distance.
 
     Raises
     ------
@@ -247,10 +248,11 @@ def perimeter_at(
     ]
     regions = [polygon.buffer(distance, quad_segs=QUARTER_CHORDS, join_style=join) for _, polygon in stretched]
     ways = [_cut_off(around, region) for region in regions]
-    shortest = min(range(len(ways)), key=lambda i: total_length(ways[i][1]))
-    # one that cuts the plate from edge to edge is one-way shear, checked beside the one all around on the plate
-    if shape_of(ways[shortest][1]) == "cut" and around.filled.covers(regions[0]):
-        shortest = 0
+    lengths = [total_length(way) for _, way in ways]
+    shortest = int(np.argmin(lengths))
+    if _is_cut(ways[shortest][1]) and around.filled.covers(regions[0]):
+        near_ones = [i for i, (edges, _) in enumerate(stretched) if all(_is_nearer(around, edge) for edge in edges)]
+        shortest = min((i for i in near_ones if not _is_cut(ways[i][1])), key=lengths.__getitem__)
     inside, whole = ways[shortest]
     opened = not around.shadow.is_empty
     ring = _cut_off(around, regions[shortest], filled=True)[1] if opened else whole
@@ -261,6 +263,17 @@ def perimeter_at(
         raise InputError([Issue("column", where, expected, "take a smaller distance")])
     setbacks = tuple(edge.setback for edge in stretched[shortest][0])
     return Perimeter(legs, whole, ring, inside, opened, setbacks, stretched[shortest][1])
+
+
+def _is_cut(way: Array) -> bool:
+    """Return whether legs (l, 2, 2) cut the plate from edge to edge; none at all do not."""
+    return len(way) > 0 and shape_of(way) == "cut"
+
+
+def _is_nearer(around: Surroundings, edge: NearEdge) -> bool:
+    """Return whether an edge is nearer than all that face the other way, by more than rounding."""
+    opposite = [other.setback for other in around.edges if float(other.outward @ edge.outward) < -np.sqrt(0.5)]
+    return edge.setback < min(opposite, default=np.inf) - around.rounding
 
 
 def _may_be_shorter(around: Surroundings, edges: tuple[NearEdge, ...], corner: float, near: float) -> bool:

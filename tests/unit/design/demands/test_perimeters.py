@@ -264,3 +264,13 @@ def test_a_perimeter_on_a_pad_is_closed_where_it_lies_on_it(length_x: float, len
     plate = plate_of(straight(8, 8, length_x, length_y))
     line = perimeter(plate, RoundColumn(length_x / 2, length_y / 2, 1.0), 0.3, near=0.6)
     assert line.u == pytest.approx(expected, rel=CHORDS)
+
+
+def test_a_perimeter_on_a_pad_runs_out_to_the_nearer_edge() -> None:
+    """0.15 m off the middle of a pad of 2 m: half around, and two legs of 0.85 m to the nearer edge, which is shorter.
+
+    0.3 m around 1 m all around are pi (1 + 0.6) = 5.03 m; half of it and the legs are 4.21 m, a cut across 2 m.
+    """
+    plate = plate_of(straight(8, 8, 2.0, 2.0))
+    line = perimeter(plate, RoundColumn(0.85, 1.0, 1.0), 0.3, near=0.6)
+    assert line.u == pytest.approx(np.pi * 0.8 + 2 * 0.85, rel=CHORDS)
