@@ -27,8 +27,7 @@ def test_a_combination_and_a_reference_are_subtracted(server: Server, bench: Ben
     minus, label = page.get_by_label("Minus", exact=True), page.locator(".difference-over")
     assert label.is_hidden()
     minus.select_option("combination light")
-    bench.until(label.is_visible)
-    assert label.inner_text() == "1 heavy minus 2 light"
+    bench.wait_equal(label.inner_text, "1 heavy minus 2 light")
     notes = page.locator(".gs-legend-notes").first
     bench.until(lambda: "max 0.500" in notes.inner_text(), notes.inner_text)
     assert "[mm]" in page.locator(".gs-legend-title").first.inner_text()

@@ -6,6 +6,7 @@ the process is replaced.
 
 from __future__ import annotations
 
+import errno
 import threading
 import time
 import traceback
@@ -134,32 +135,45 @@ def _main(pipe: Connection, prepare: Callable[[], object] | None, memory: int) -
     set_up_child()
     if prepare is not None:
         prepare()
+    exhausted = ForkingPickler.dumps((False, MemoryLimit(f"more than {memory / 1e9:g} GB")))  # made while there is room
     _limit_memory(memory)
     pipe.send("ready")
     while True:
         try:
-            function, arguments = pipe.recv()
-            pipe.send_bytes(_call(function, arguments, memory))
+            pipe.send_bytes(_call(pipe.recv_bytes(), exhausted))
         except (EOFError, BrokenPipeError, ConnectionResetError):
             return
 
 
-def _call(function: Callable[..., Any], arguments: tuple[Any, ...], memory: int) -> Any:
-    """Return the result or the exception of a function, pickled."""
+def _call(message: bytes, exhausted: Any) -> Any:
+    """Return the result or the exception of the function in a message, pickled; `exhausted` where memory runs out.
+
+    Reading the message imports the module of the function, for which there may be too little memory already.
+    """
     try:
+        function, arguments = ForkingPickler.loads(message)
         content = ForkingPickler.dumps((True, function(*arguments)))
         if len(content) <= MAX_RESULT:
             return content
         error: Exception = MemoryLimit(f"a result of more than {MAX_RESULT // 1_000_000} MB")
-    except MemoryError:
-        error = MemoryLimit(f"more than {memory / 1e9:g} GB")
     except Exception as found:
+        if _is_out_of_memory(found):
+            return exhausted
         error = found
     try:
         return ForkingPickler.dumps((False, error))
+    except MemoryError:
+        return exhausted
     except Exception:
         traceback.print_exc()
         return ForkingPickler.dumps((False, RuntimeError(str(error))))
+
+
+def _is_out_of_memory(error: Exception) -> bool:
+    """Return whether an exception says that there is no memory left, also for a library that is being loaded."""
+    if isinstance(error, ImportError):
+        return "failed to map segment" in str(error)  # what the loader of Linux says
+    return isinstance(error, MemoryError) or (isinstance(error, OSError) and error.errno == errno.ENOMEM)
 
 
 def _limit_memory(more: int) -> None:
