@@ -252,7 +252,7 @@ def perimeter_at(
     shortest = int(np.argmin(lengths))
     if _is_cut(ways[shortest][1]) and around.filled.covers(regions[0]):
         near_ones = [i for i, (edges, _) in enumerate(stretched) if all(_is_nearer(around, edge) for edge in edges)]
-        shortest = min((i for i in near_ones if not _is_cut(ways[i][1])), key=lengths.__getitem__)
+        shortest = min((i for i in near_ones if not _is_cut(ways[i][1])), key=lengths.__getitem__, default=shortest)
     inside, whole = ways[shortest]
     opened = not around.shadow.is_empty
     ring = _cut_off(around, regions[shortest], filled=True)[1] if opened else whole

@@ -221,7 +221,7 @@ def reduced_share(legs: Array, footprint: Array, course: Course, d: float) -> fl
 def _largest(results: list[CombinationResult], site: _Site) -> tuple[list[Demand], str]:
     """Return the demands of combinations on perimeters so chosen that the largest v_Ed / v_Rd of all is among them.
 
-    With the reason why there is none at 2 d, or nowhere, if it is no other than that it cuts the slab.
+    With the reason why there is none at all; farther out they may cut the slab, or leave a pad.
     """
     first = results[0]
     face = "no column" if site.punching.at_zone else site.control(first, 0.0)
@@ -236,7 +236,7 @@ def _largest(results: list[CombinationResult], site: _Site) -> tuple[list[Demand
 
 
 def _first_distances(site: _Site) -> tuple[list[float], str]:
-    """Return the distances [m] of perimeters that there are, up to the last one, and why there are no more.
+    """Return the distances [m] of perimeters that there are, up to the last one, and why there are none.
 
     Where perimeters begin to run out to an edge the part inside jumps: the distances on both sides are among them.
     """
@@ -247,7 +247,7 @@ def _first_distances(site: _Site) -> tuple[list[float], str]:
         if isinstance(line, str):
             last, _ = _halved(before, distance, lambda a: not isinstance(site.line(a), str))
             good += [last] if last > before else []
-            return good, "" if good and line == CUT else line
+            return good, "" if good else line
         if good and not isinstance(known, str) and known.setbacks != line.setbacks:
             good += _halved(before, distance, partial(_runs_out_to, site, known.setbacks))
         good.append(distance)

@@ -1,0 +1,81 @@
+"""Punching of isolated pads is judged by all codes wherever the perimeter all around lies on the pad."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import pytest
+
+import groundslab as gs
+from groundslab.design.basis.check import DesignCheck
+from groundslab.design.checks import check_design
+from groundslab.model.model import Model
+
+#: A column of 0.4 m carries 1.35 x 800 kN; the depth is 0.5 m less the mean of 60 and 80 mm.
+SIDE, FORCE, D = 0.4, 1.08, 0.43
+BARS = {"diameter": "20 mm", "spacing": "100 mm"}
+
+
+def punching(code: str, length: float = 2.0, width: float = 2.0) -> list[DesignCheck]:
+    """Return the checks of punching of a pad of so many meters on stiff springs."""
+    steel: dict[str, Any] = {
+        "code": code, "f_ck": "25 MPa", "f_yk": "500 MPa", "bottom": ["60 mm", "80 mm"], "top": ["60 mm", "80 mm"],
+        "bottom_x": BARS, "bottom_y": BARS, "top_x": BARS, "top_y": BARS,
+    }  # fmt: skip
+    model = Model(
+        plate={"length_x": length, "length_y": width, "thickness": 0.5, "E": 31e9, "nu": 0.2},
+        ground={"kind": "winkler", "k": 40e6},
+        columns=[{"name": "C", "x": 0, "y": 0, "width_x": SIDE, "width_y": SIDE}],
+        cases=[{"name": "G"}],
+        loads=[{"kind": "point", "case": "G", "column": "C", "P": 800e3}],
+        combinations=[{"name": "U", "limit_state": "ultimate", "factors": {"G": 1.35}}],
+        reinforcement=steel,
+        mesh={"counts": (8, 8)},
+    )
+    return [each for each in check_design(gs.solve(model)).checks if "punching" in each.name or "two-way" in each.name]
+
+
+def test_by_en1992_2004() -> None:
+    """At the face 1.51 of 3.6 MPa (6.4.5(3)), and within 2 d, which lies beyond the pad's edges all around.
+
+    The pressure of 270 kPa under the column relieves its face: (1.08 - 0.16 x 0.27) / (1.6 x 0.43) MPa. Within 2 d
+    v_Ed / v_Rd is largest near 0.8 d: 0.37 with an even pressure.
+    """
+    face, within = punching("EN 1992-1-1")
+    assert (face.status, within.status) == ("no failure found", "no failure found")
+    assert face.demand == pytest.approx((FORCE - SIDE**2 * FORCE / 4) / (4 * SIDE * D), rel=0.01)
+    assert face.resistance == pytest.approx(0.4 * 0.6 * (1 - 25 / 250) * 25 / 1.5)
+    a = 0.8 * D
+    u, area = 4 * SIDE + 2 * math.pi * a, SIDE**2 + 4 * SIDE * a + math.pi * a**2
+    v_Ed = FORCE * (1 - area / 4) / (u * D)
+    v_Rd = 0.12 * (1 + math.sqrt(200 / 430)) * (100 * 31.4e-4 / D * 25) ** (1 / 3) * 2 * D / a
+    assert within.demand is not None
+    assert within.resistance is not None
+    assert within.demand / within.resistance == pytest.approx(v_Ed / v_Rd, rel=0.03)
+
+
+def test_by_en1992_2023() -> None:
+    """b_0.5 is 4 x 0.4 + pi 0.43 = 2.95 m, the pressure relieves up to 0.67 d (8.4.2(2), (6)), beta_e is 1.05."""
+    (check,) = punching("EN 1992-1-1:2023")
+    assert check.status == "no failure found"
+    a, u = 0.67 * D, 4 * SIDE + math.pi * D
+    area = SIDE**2 + 4 * SIDE * a + math.pi * a**2
+    assert check.demand == pytest.approx(1.05 * FORCE * (1 - area / 4) / (u * D), rel=0.02)
+
+
+def test_by_aci318() -> None:
+    """b_o = 4 (0.4 + 0.43) m (22.6.4.1), and phi v_c by a third of the root of f'c and lambda_s (22.6.5.2)."""
+    (check,) = punching("ACI 318")
+    b_o, area = 4 * (SIDE + D), (SIDE + D) ** 2
+    assert check.demand == pytest.approx(FORCE * (1 - area / 4) / (b_o * D), rel=0.02)
+    v_c = 0.75 * math.sqrt(2 / (1 + 0.004 * 430)) * math.sqrt(25) / 3
+    assert check.resistance == pytest.approx(v_c, rel=0.01)
+
+
+@pytest.mark.parametrize("code", ["EN 1992-1-1", "EN 1992-1-1:2023", "ACI 318"])
+def test_a_strip_no_wider_than_its_column(code: str) -> None:
+    """On a strip of 0.4 m nothing runs around a column of 0.4 m: punching is not judged, and needs attention."""
+    around = punching(code, 6.0, 0.4)[-1]  # by EN 1992-1-1 the first one is at the column's face
+    assert around.status == "attention"
+    assert "not judged" in around.words
