@@ -49,6 +49,7 @@ class Annex:
     w_max: Mapping[str, float]
     c_min_dur: Mapping[str, float]
     delta_c_dev: float
+    beam_links: tuple[float, float]
     lap: tuple[float, float]
     cover_relieves: bool
 

@@ -9,7 +9,7 @@ from typing import get_args
 import numpy as np
 import pytest
 
-from groundslab.design.en1992 import bending, cracking, punching, shear
+from groundslab.design.en1992 import beams, bending, cracking, punching, shear
 from groundslab.design.en1992.annex import ANNEXES, RECOMMENDED, Annex, annex_of, table
 from groundslab.design.en1992.case_materials import materials
 from groundslab.design.en1992.materials import Concrete, Steel
@@ -81,6 +81,13 @@ def test_punching_by_annex() -> None:
     assert punching.max_resistance(concrete("Germany")) is None
     assert [annex_of(name).k_max for name in ANNEXES] == [1.5, 1.4, 2.0]
     assert [annex_of(name).least_beta for name in ANNEXES] == [1.0, 1.1, 1.0]
+
+
+@pytest.mark.parametrize(("name", "least"), [("recommended", 4.382), ("United Kingdom", 4.382), ("Germany", 4.634)])
+def test_least_links_of_beams(name: AnnexName, least: float) -> None:
+    """C30/37 over 0.5 m: 0.08 x 30^(1/2) / 500 (9.5N) are 4.382 cm2/m, Germany's 0.16 x 2.896 / 500 4.634 cm2/m."""
+    steel = Reinforcement(annex=name, concrete="C30/37", steel="B500B", bottom=(0.05, 0.06), top=(0.05, 0.06))
+    assert 0.5e4 * beams.links(steel, "ultimate", np.zeros(1), 0.5)[0] == pytest.approx(least, abs=5e-4)
 
 
 def test_links_of_two_rows() -> None:
