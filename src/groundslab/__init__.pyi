@@ -25,6 +25,7 @@ from .design.proposal.propose import propose_bars as propose_bars
 from .design.punching_links.layout import LinkLayout as LinkLayout
 from .design.punching_links.layout import LinkPerimeter as LinkPerimeter
 from .design.result_tables import tables_of as tables_of
+from .errors import CertificateWithdrawn as CertificateWithdrawn
 from .errors import GroundslabError as GroundslabError
 from .errors import IllConditioned as IllConditioned
 from .errors import InputError as InputError

@@ -141,6 +141,34 @@ class NotCertified(NoResult):
         return f"{'; '.join(said)}; it must not be used"
 
 
+class CertificateWithdrawn(NoResult):
+    """Saved results or rows are not as groundslab wrote them, so that their certificate holds no more.
+
+    Parameters
+    ----------
+    folder : str
+        The folder.
+    changed : sequence of str
+        What of it was changed since; kept as a tuple under this name.
+    """
+
+    #: So many are named.
+    MOST = 5
+
+    def __init__(self, folder: str, changed: Sequence[str]) -> None:
+        self.folder, self.changed = folder, tuple(changed)
+        super().__init__(folder, self.changed)
+
+    def __str__(self) -> str:
+        """Return on one line what was changed, and what to do."""
+        more = len(self.changed) - self.MOST
+        named = ", ".join(self.changed[: self.MOST]) + (f" and {more} more" if more > 0 else "")
+        return (
+            f"certificate withdrawn: {named} in {self.folder} changed since groundslab wrote it (SHA-256); restore "
+            f"what was written, or solve again"
+        )
+
+
 @dataclass(eq=False)
 class NotConverged(NoResult):
     """An iteration ended without converging.

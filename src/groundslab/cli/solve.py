@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from groundslab.cli.console import EXIT_DESIGN_FAILS, EXIT_NO_RESULT, EXIT_OK, print_stderr, print_stdout
-from groundslab.errors import GroundslabError, InputError, Issue, NoEquilibrium, NotCertified
+from groundslab.errors import CertificateWithdrawn, GroundslabError, InputError, Issue, NoEquilibrium, NotCertified
 
 if TYPE_CHECKING:
     import argparse
@@ -92,6 +92,8 @@ def _find_start(model: Model, folder: Path, options: argparse.Namespace) -> Resu
         why = why_no_start(results, model)
     except InputError as error:
         why = error.issues[0].found
+    except CertificateWithdrawn as error:
+        why = f"changed files ({', '.join(error.changed)})"
     if why:
         print_stderr(f"nothing to resume: found {why} in {left}; the run starts anew")
         return None

@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 
 from groundslab.cli.console import EXIT_INTERRUPTED, EXIT_NO_RESULT, EXIT_OK, format_issues, print_stderr, print_stdout
-from groundslab.errors import GroundslabError, InputError
+from groundslab.errors import CertificateWithdrawn, GroundslabError, InputError
 
 
 def describe(study: argparse.ArgumentParser) -> None:
@@ -68,7 +68,7 @@ def run(options: argparse.Namespace) -> int:
             resume=options.resume,
             quiet=options.quiet,
         )
-    except InputError:
+    except (InputError, CertificateWithdrawn):
         raise
     except (KeyboardInterrupt, GroundslabError) as error:
         print_stderr("interrupted" if isinstance(error, KeyboardInterrupt) else f"error: {error}")

@@ -71,9 +71,10 @@ class TestResultsFolder:
         # nothing is edited now, and what was kept is never touched
         assert main.main(["solve", str(case), "--quiet"]) == 0
         assert capsys.readouterr().err == ""
+        results = results_folder.load_results(folder)
         append(folder / "case.toml", "# another note\n")
         with pytest.warns(EditedFilesKept, match="raft-results-edited-2: case.toml"):
-            groundslab.save_results(results_folder.load_results(folder), folder)
+            groundslab.save_results(results, folder)
         assert (kept / "case.toml").read_bytes() == noted
 
     def test_a_value_of_the_summary(self, tmp_path: Path) -> None:

@@ -135,17 +135,3 @@ def test_page_and_files(study: Study) -> None:
     assert "discretization error</th>" not in text
     with sqlite3.connect(study.folder / "rows.sqlite") as kept:
         assert kept.execute("SELECT value, error FROM discretization").fetchone() == (value, error)
-
-
-def test_folders_made_before_there_were_errors(tmp_path: Path) -> None:
-    """A folder without the table of errors is read as one that has none, and gets it when it is continued."""
-    made = run(tmp_path, STUDY)
-    expected = made.discretization_errors()
-    kept = sqlite3.connect(made.folder / "rows.sqlite")
-    with kept:
-        kept.execute("DROP TABLE discretization")
-        kept.execute("DELETE FROM rows WHERE number = 2")
-    kept.close()
-    assert made.discretization_errors() == {}
-    assert tabulate_discretization(read_samples(made)) is None
-    assert run(tmp_path, STUDY, resume=True).discretization_errors() == expected

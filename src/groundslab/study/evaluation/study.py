@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import sqlite3
-import zlib
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -14,8 +12,7 @@ from typing import TYPE_CHECKING, Any
 from groundslab.errors import InputError, Issue
 from groundslab.optional import import_optional
 from groundslab.schema.wording import one_of, suggestion
-from groundslab.study.definition import files
-from groundslab.study.definition.setup import Setup, column_units
+from groundslab.study.definition.setup import column_units
 from groundslab.study.evaluation.field_maps import moments
 from groundslab.study.execution import store
 from groundslab.study.sampling.designs import VariantList, list_variants
@@ -70,6 +67,8 @@ class Study:
     ------
     InputError
         If the folder is not that of a study, or its files are damaged.
+    CertificateWithdrawn
+        If its study, its case or a row was changed since groundslab wrote it, by its SHA-256.
 
     Examples
     --------
@@ -80,8 +79,8 @@ class Study:
 
     def __init__(self, folder: str | Path) -> None:
         self.folder = Path(folder)
-        self.about: dict[str, Any] = store.about(folder)
-        self.setup: Setup = files.read(self.folder / store.STUDY, self.folder / store.CASE).setup
+        self.about, study = store.read_unchanged(folder)
+        self.setup = study.setup
 
     @property
     def title(self) -> str:
@@ -301,12 +300,8 @@ class Study:
         InputError
             If they are damaged.
         """
-        try:
-            with store.Store(self.folder, self.setup, read_only=True) as rows:
-                yield rows
-        except (sqlite3.Error, zlib.error) as error:
-            expected, hint = "the rows that groundslab study wrote", "restore the folder from a backup"
-            raise InputError([Issue(str(self.folder / store.ROWS), str(error), expected, hint)]) from error
+        with store.open_rows(self.folder, self.setup) as rows:
+            yield rows
 
     def _column(self, name: str) -> str:
         """Return the column of a field with values at all nodes, by its name or its quantity."""
@@ -338,6 +333,8 @@ def open_study(folder: str | Path) -> Study:
     ------
     InputError
         If the folder is not that of a study.
+    CertificateWithdrawn
+        If its study, its case or a row was changed since groundslab wrote it, by its SHA-256.
 
     Examples
     --------

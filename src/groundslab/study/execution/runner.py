@@ -138,6 +138,7 @@ def prepare(study: files.StudyInput, folder: Path, resume: bool) -> None:
         issues = _differences(store.about(folder), study)
         if issues:
             raise InputError(issues)
+        store.read_unchanged(folder)
         return
     if store.is_store(folder):
         hint = "--resume continues it; --out names another folder"

@@ -2,8 +2,8 @@
 
     STUDY-study/
         study.toml, case.toml    copies of the study file and its case
-        about.json               seed, versions, SHA-256 of both files, units of the columns
-        rows.sqlite              tables of rows, meshes, discretization errors, runs, mishaps
+        about.json               seed, versions, SHA-256 of both files and its own, units of the columns
+        rows.sqlite              tables of rows, meshes, discretization errors, their SHA-256, runs, mishaps
         lock.sqlite              empty; locked while a study runs
         solving.txt              the variant that a study without workers is solving; stays if that ends the process
 
@@ -14,6 +14,7 @@ none can be there twice.
 
 from __future__ import annotations
 
+import hashlib
 import json
 import os
 import sqlite3
@@ -28,33 +29,40 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from groundslab.errors import GroundslabError, InputError, Issue
+from groundslab.errors import CertificateWithdrawn, GroundslabError, InputError, Issue
 from groundslab.fem.mesh import Mesh
 from groundslab.storage import atomic, bounded
+from groundslab.study.definition import files
 from groundslab.study.execution.variant import key_of
 
 if TYPE_CHECKING:
     from groundslab.arrays import Array
+    from groundslab.study.definition.files import StudyInput
     from groundslab.study.definition.setup import Setup
     from groundslab.study.execution.variant import Row
 
 STUDY, CASE, ABOUT, ROWS, LOCK = "study.toml", "case.toml", "about.json", "rows.sqlite", "lock.sqlite"
 SOLVING = "solving.txt"
-FORMAT = 1
+FORMAT = 2
 #: Largest about.json that is read [bytes].
 LARGEST_ABOUT = 1_000_000
 #: Types of the values in about.json that are read from there.
-_TYPES = {"seed": int, "variants": int, "made": str, "study_sha256": str, "case_sha256": str, "versions": dict}
+_TYPES = {
+    "seed": int,
+    "variants": int,
+    "made": str,
+    "study_sha256": str,
+    "case_sha256": str,
+    "versions": dict,
+    "sha256": str,
+}
 #: Columns before those of the study, with their types.
 FIXED = {
     "number": "INTEGER PRIMARY KEY", "status": "TEXT NOT NULL", "reason": "TEXT NOT NULL", "message": "TEXT NOT NULL",
     "seconds": "REAL NOT NULL",
 }  # fmt: skip
-
-#: The table of discretization errors, which folders made before there was any lack.
-_CREATE_DISCRETIZATION = (
-    "CREATE TABLE IF NOT EXISTS discretization (output TEXT PRIMARY KEY, value REAL NOT NULL, error REAL NOT NULL)"
-)
+#: Tables whose rows have checksums, by their keys.
+_SEALED = {"rows": "number", "meshes": "key", "discretization": "output"}
 
 
 class StoreFull(GroundslabError):
@@ -67,7 +75,9 @@ def create(folder: Path, study: str, case: str, about: Mapping[str, Any], setup:
     def fill(staging: Path) -> None:
         (staging / STUDY).write_text(study, encoding="utf-8")
         (staging / CASE).write_text(case, encoding="utf-8")
-        (staging / ABOUT).write_text(json.dumps({"format": FORMAT, **about}, indent=2) + "\n", encoding="utf-8")
+        document = {"format": FORMAT, **about}
+        document["sha256"] = _checksum(document)
+        (staging / ABOUT).write_text(json.dumps(document, indent=2) + "\n", encoding="utf-8")
         with closing(_connect(staging / ROWS)) as connection, connection:
             for statement in table_columns(setup).statements():
                 connection.execute(statement)
@@ -110,7 +120,8 @@ class Columns:
         return [
             f"CREATE TABLE rows ({', '.join([*fixed, *columns, 'mesh TEXT NOT NULL'])})",
             "CREATE TABLE meshes (key TEXT PRIMARY KEY, nodes BLOB NOT NULL, elements BLOB NOT NULL) WITHOUT ROWID",
-            _CREATE_DISCRETIZATION,
+            "CREATE TABLE discretization (output TEXT PRIMARY KEY, value REAL NOT NULL, error REAL NOT NULL)",
+            "CREATE TABLE checksums (part TEXT PRIMARY KEY, sha256 TEXT NOT NULL) WITHOUT ROWID",
             "CREATE TABLE mishaps (number INTEGER NOT NULL, at TEXT NOT NULL, message TEXT NOT NULL)",
             "CREATE TABLE runs (at TEXT NOT NULL, versions TEXT NOT NULL)",
         ]
@@ -153,24 +164,41 @@ class Store:
 
     def add(self, *rows: Row) -> int:
         """Write rows to the disk, all or none; return how many were not there yet. Raises StoreFull."""
-        marks = ", ".join("?" * (len(self.columns.scalars) + len(self.columns.fields) + 1))
         new = 0
         with self._writing(f"row {rows[0].number}" if rows else "a row"):
             for row in rows:
                 for mesh in row.meshes:
-                    self._connection.execute(
-                        "INSERT OR IGNORE INTO meshes VALUES (?, ?, ?)",
-                        (key_of(mesh), _bytes(mesh.nodes, "<f8"), _bytes(mesh.elements, "<i8")),
-                    )
+                    self._insert("meshes", key_of(mesh), _bytes(mesh.nodes, "<f8"), _bytes(mesh.elements, "<i8"))
                 known = zip(self.columns.results, row.base, strict=True) if row.base else ()
                 for name, pair in known:
                     if pair is not None:
-                        self._connection.execute(_CREATE_DISCRETIZATION)
-                        self._connection.execute("INSERT OR IGNORE INTO discretization VALUES (?, ?, ?)", (name, *pair))
+                        self._insert("discretization", name, *pair)
                 values = [row.number, row.status, row.reason, row.message, row.seconds]
                 values += [*map(plain, row.inputs), *row.results, *map(_pack, row.fields), row.mesh]
-                new += self._connection.execute(f"INSERT OR IGNORE INTO rows VALUES ({marks})", values).rowcount
+                new += self._insert("rows", *values)
         return new
+
+    def _insert(self, table: str, key: object, *values: object) -> int:
+        """Add a row to a table of _SEALED with the checksum of what is there then; return 0 if its key was there."""
+        marks = ", ".join("?" * (1 + len(values)))
+        new = self._connection.execute(f"INSERT OR IGNORE INTO {table} VALUES ({marks})", (key, *values)).rowcount
+        if new:
+            statement = f"SELECT * FROM {table} WHERE {_SEALED[table]} = ?"
+            checksum = _checksum(self._connection.execute(statement, (key,)).fetchone())
+            self._connection.execute("INSERT OR REPLACE INTO checksums VALUES (?, ?)", (f"{table} {key}", checksum))
+        return new
+
+    def changed_parts(self) -> list[str]:
+        """Return which rows of tables are not as `add` wrote them; rows that are missing are only missing."""
+        changed = []
+        for table, key in _SEALED.items():
+            joined = f"{table} LEFT JOIN checksums ON part = '{table} ' || {table}.{key}"
+            for known, name, *values in self._connection.execute(
+                f"SELECT checksums.sha256, {table}.* FROM {joined} ORDER BY {table}.{key}"
+            ):
+                if known != _checksum((name, *values)):
+                    changed.append(f"{table} {name}")
+        return changed
 
     def add_run(self, versions: Mapping[str, str]) -> None:
         """Record the begin of a run and its versions; raises StoreFull."""
@@ -251,8 +279,6 @@ class Store:
 
     def discretization(self) -> dict[str, tuple[float, float]]:
         """Return by output its value in the case as it is and the discretization error of that, where it has one."""
-        if not self._connection.execute("SELECT 1 FROM sqlite_master WHERE name = 'discretization'").fetchone():
-            return {}
         values = self._connection.execute("SELECT output, value, error FROM discretization")
         known = {name: (value, error) for name, value, error in values}
         return {name: known[name] for name in self.columns.results if name in known}
@@ -273,7 +299,7 @@ class Store:
 def about(folder: str | Path) -> dict[str, Any]:
     """Return the contents of about.json in a study's folder; raises InputError if it is none."""
     path = Path(folder)
-    expected = "a folder that groundslab study made"
+    expected, hint = "a folder that groundslab study made", ""
     try:
         content = json.loads(bounded.read_whole(path / ABOUT, LARGEST_ABOUT))
         if content["program"] == "groundslab study" and (path / ROWS).is_file():
@@ -282,9 +308,40 @@ def about(folder: str | Path) -> dict[str, Any]:
                     return dict(content)
             else:
                 expected = f"a folder of format {FORMAT}, which this version reads"
+                hint = "run its study.toml again into another folder"
     except (OSError, ValueError, KeyError, TypeError, RecursionError):
         pass
-    raise InputError([Issue(str(folder), "something else", expected)])
+    raise InputError([Issue(str(folder), "something else", expected, hint)])
+
+
+def read_unchanged(folder: str | Path) -> tuple[dict[str, Any], StudyInput]:
+    """Return the contents of about.json and the study in a folder, whose rows may be used.
+
+    Raises InputError if it is no folder of a study, and CertificateWithdrawn if anything there was changed since.
+    """
+    path, document = Path(folder), about(folder)
+    study = files.read(path / STUDY, path / CASE)
+    changed = [
+        name for key, name in (("study_sha256", STUDY), ("case_sha256", CASE)) if document[key] != study.checksums[key]
+    ]
+    if document["sha256"] != _checksum({key: value for key, value in document.items() if key != "sha256"}):
+        changed.append(ABOUT)
+    with open_rows(path, study.setup) as rows:
+        changed += [f"{ROWS} ({part})" for part in rows.changed_parts()]
+    if changed:
+        raise CertificateWithdrawn(str(folder), changed)
+    return document, study
+
+
+@contextmanager
+def open_rows(folder: Path, setup: Setup) -> Iterator[Store]:
+    """Open the rows of a study for reading; raises InputError if they are damaged."""
+    try:
+        with Store(folder, setup, read_only=True) as rows:
+            yield rows
+    except (sqlite3.Error, zlib.error) as error:
+        expected, hint = "the rows that groundslab study wrote", "restore the folder from a backup"
+        raise InputError([Issue(str(folder / ROWS), str(error), expected, hint)]) from error
 
 
 def is_store(folder: str | Path) -> bool:
@@ -334,6 +391,11 @@ def _connect_to_read(path: Path) -> sqlite3.Connection:
         # a reader's shared memory cannot be made there, and nobody can be writing either
         connection = sqlite3.connect(f"{place}?immutable=1", uri=True)
     return connection
+
+
+def _checksum(values: object) -> str:
+    """Return the SHA-256 of what JSON or SQLite gave, as Python writes it."""
+    return hashlib.sha256(repr(values).encode()).hexdigest()
 
 
 def _now() -> str:

@@ -35,6 +35,7 @@ def pack_results(combined: Results, text: str, report: str) -> bytes:
     with tempfile.TemporaryDirectory(prefix="groundslab-") as parent:
         folder = results_folder.save_results(combined, Path(parent) / "results")
         (folder / "case.toml").write_bytes(text.encode())
+        folder_summary.write_summary(folder, folder_summary.read_document(folder), ["case.toml"])
         buffer = io.BytesIO()
         with zipfile.ZipFile(buffer, "w", zipfile.ZIP_DEFLATED) as archive:
             archive.writestr(_describe(REPORT), report.encode())

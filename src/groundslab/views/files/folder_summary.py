@@ -9,6 +9,7 @@ from hashlib import sha256
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
+from groundslab.errors import CertificateWithdrawn
 from groundslab.storage import bounded, checksums
 from groundslab.views.files import manifest
 
@@ -79,6 +80,19 @@ def find_edited(folder: Path) -> list[str]:
     edited = checksums.find_edited(folder, others)
     checksum = summary.checksums.get(FILE)
     return [*edited, FILE] if checksum is not None and checksum != _own_checksum(read_document(folder)) else edited
+
+
+def require_unchanged(folder: Path) -> None:
+    """Raise CertificateWithdrawn if files of a folder are not those whose checksums its summary has.
+
+    Every reader asks this before it uses a number. A file that has no checksum there was put there by somebody else.
+    """
+    summary = read_summary(folder)
+    known = {} if summary is None else summary.checksums
+    there = (path.relative_to(folder).as_posix() for path in sorted(folder.rglob("*")) if path.is_file())
+    changed = [*find_edited(folder), *(name for name in there if manifest.is_path(name) and name not in known)]
+    if changed:
+        raise CertificateWithdrawn(str(folder), changed)
 
 
 def read_document(folder: Path) -> dict[str, Any]:

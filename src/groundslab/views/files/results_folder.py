@@ -30,6 +30,7 @@ from groundslab.views.files.folder_summary import (
     find_edited,
     read_document,
     read_summary,
+    require_unchanged,
     write_summary,
 )
 
@@ -198,6 +199,8 @@ def load_results(folder: str | Path) -> Results:
     ------
     InputError
         If the folder holds no results of groundslab, or damaged ones.
+    CertificateWithdrawn
+        If any file that groundslab wrote there was changed since, by its SHA-256 in summary.json.
 
     Examples
     --------
@@ -210,12 +213,12 @@ def load_results(folder: str | Path) -> Results:
     summary = read_summary(path)
     if summary is None or not summary.files:
         raise _not_ours(path, "no summary.json that names its files")
-    if summary.combinations is None:
-        return _one(path)
     try:
-        return _several(path, summary.combinations)
+        found = _one(path) if summary.combinations is None else _several(path, summary.combinations)
     except (KeyError, ValueError) as error:
         raise _not_ours(path, f"a summary.json with something else ({type(error).__name__}: {error})") from error
+    require_unchanged(path)
+    return found
 
 
 def _one(path: Path) -> Results:
@@ -232,7 +235,7 @@ def _one(path: Path) -> Results:
 def _several(path: Path, listed: Sequence[ListedCombination]) -> Results:
     """Return the combinations that a summary lists, read from their folders; raises InputError or ValueError.
 
-    The case is the one that was solved, which results hold; case.toml may have been edited since.
+    The case is the one that was solved, which results hold.
     """
     from groundslab.case import casefile
     from groundslab.model.loads.load_cases import Combination

@@ -25,16 +25,14 @@ def text_of(folder: str | Path, model: Model) -> str | None:
 
 
 def changes_since(folder: str | Path, model: Model) -> str:
-    """Return the warning for a report where the case in a folder of results, or beside it, describes another model.
+    """Return the warning for a report where the case beside a folder of results describes another model.
 
     Beside a folder such as raft-results the case is raft.toml. A file that is not there says nothing.
     """
     whole = Path(folder)
     beside = whole.with_name(f"{whole.name.removesuffix('-results')}.toml")
-    for path, called in ((whole / "case.toml", f"case.toml in {whole.name}"), (beside, beside.name)):
-        if path.is_file() and _text_of(path, model) is None:
-            return CHANGED.format(file=called)
-    return ""
+    changed = beside.is_file() and _text_of(beside, model) is None
+    return CHANGED.format(file=beside.name) if changed else ""
 
 
 def _text_of(path: Path, model: Model) -> str | None:
