@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from groundslab.case import casefile
+from groundslab.case.numbers import format_number
 from groundslab.case.reactions.changes import THRESHOLD, CaseSum, ReactionChange, find_changes, find_pushes, sum_cases
 from groundslab.case.reactions.forces import Transfer, make_loads, middles, resultants, signs_in_words
 from groundslab.case.reactions.matching import (
@@ -21,7 +22,6 @@ from groundslab.case.reactions.matching import (
     with_resultants,
     words_of_sideways,
 )
-from groundslab.case.reactions.numbers import format_number
 from groundslab.case.reactions.table import read_table
 from groundslab.case.reactions.text import LoadsText
 from groundslab.errors import InputError, Issue

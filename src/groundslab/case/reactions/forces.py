@@ -9,8 +9,8 @@ from dataclasses import dataclass
 from decimal import Decimal
 
 from groundslab import units
+from groundslab.case.numbers import format_number
 from groundslab.case.reactions.matching import CHORD, Frame, Matched
-from groundslab.case.reactions.numbers import format_number
 from groundslab.case.reactions.table import ZERO, Reaction, ReactionTable
 from groundslab.geometry.plan import Place
 from groundslab.model.loads.lines import LineLoad, LineMoment

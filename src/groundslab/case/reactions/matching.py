@@ -9,7 +9,7 @@ from decimal import Decimal
 from typing import get_args
 
 from groundslab import units
-from groundslab.case.reactions.numbers import format_number
+from groundslab.case.numbers import format_number
 from groundslab.case.reactions.table import Reaction, ReactionTable, cases_of
 from groundslab.errors import Issue
 from groundslab.geometry.plan import Place, format_place

@@ -8,9 +8,9 @@ from dataclasses import dataclass
 from decimal import Decimal
 from pathlib import Path
 
+from groundslab.case.numbers import find_decimals, parse_number
 from groundslab.case.reactions.cells import Cell, Grid, read_grids
 from groundslab.case.reactions.headings import BY_CASE, DIMENSIONS, Headings, Role, find_headings, unit_of
-from groundslab.case.reactions.numbers import find_decimals, parse_number
 from groundslab.errors import InputError, Issue
 from groundslab.model.reactions import Decimals, Reactions
 from groundslab.schema.fields import MOST_ISSUES

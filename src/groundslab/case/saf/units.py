@@ -48,6 +48,7 @@ _SIZES: dict[str, float] = {
     "MNm/rad": 1e6, "kipft/deg": _KIP * _FOOT / _DEGREE, "°C": 1.0, "°F": 1 / 1.8, "": 1.0,
 }  # fmt: skip
 
+_KNOWN = {unit.lower() for unit in _SIZES if unit}
 _SIGNS = str.maketrans({"²": "2", "³": "3", "⁴": "4", "^": "", " ": "", "\\": "", "*": "", "·": "", "º": "°"})
 
 
@@ -77,10 +78,19 @@ def to_imperial(value: object, unit: str) -> object:
 
 def heading_key(heading: object) -> str:
     """Return a column's heading without its unit, case, blanks and signs, which differ from program to program."""
-    return re.sub(r"[^a-z0-9]", "", re.sub(r"\\?\[.*", "", str(heading)).lower())
+    return re.sub(r"[^a-z0-9]", "", str(heading)[: _unit_start(heading)].lower())
 
 
 def heading_unit(heading: object) -> str:
     """Return the unit in the brackets of a column's heading, nothing if there are none."""
-    found = re.search(r"\[(.*?)\\?\]", str(heading))
-    return found[1].translate(_SIGNS) if found else ""
+    return str(heading)[_unit_start(heading) :].strip("[]()\\ ").translate(_SIGNS)
+
+
+def _unit_start(heading: object) -> int:
+    """Return where the unit of a heading begins: in square brackets, or at its end in round ones if it is known."""
+    said = str(heading)
+    found = re.search(r"\\?\[.*", said) or re.search(r"\(([^()]*)\)\s*$", said)
+    round_one = found is not None and found[0].startswith("(")
+    if found is None or (round_one and found[1].translate(_SIGNS).lower() not in _KNOWN):
+        return len(said)
+    return found.start()

@@ -9,9 +9,9 @@ from pathlib import Path
 
 import pytest
 
+from groundslab.case.numbers import find_decimals, format_number, parse_number
 from groundslab.case.reactions import cells
 from groundslab.case.reactions.headings import unit_of
-from groundslab.case.reactions.numbers import find_decimals, format_number, parse_number
 from groundslab.case.reactions.table import ReactionTable, read_table
 from groundslab.errors import InputError
 from groundslab.model.reactions import Reactions

@@ -293,22 +293,143 @@ def test_a_slab_says_what_is_not_taken_of_it(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("action", "group", "kind"),
+    ("action", "group", "load", "kind", "said"),
     [
-        ("Variable", "Permanent", "variable"), ("Permanent", "Variable", "variable"),
-        ("Permanent", "Permanent", "permanent"), ("", "Permanent", "permanent"),
+        ("Variable", "Permanent", "Static", "variable", 'load type "Static" and group of type "Permanent"'),
+        ("Permanent", "Variable", "", "variable", 'action type "Permanent" and group of type "Variable"'),
+        ("Permanent", "Permanent", "Snow", "variable", 'load type "Snow"'),
+        ("Variable", "Variable", "Self weight", "variable", 'load type "Self weight"'),
+        ("Variable", "Variable", "Seismic", "seismic", 'load type "Seismic"'),
+        ("Permanent", "Permanent", "Standard", "permanent", ""),
+        ("", "Permanent", "", "permanent", ""),
+        ("", "", "", "permanent", ""),
+        ("Variable", "Seismic", "Seismic", "seismic", ""),
+        ("Variable", "Seismic", "Static", "seismic", ""),
+        ("Accidental", "Accidental", "Static", "accidental", ""),
     ],
 )  # fmt: skip
-def test_action_type_and_group_that_contradict_are_said(tmp_path: Path, action: str, group: str, kind: str) -> None:
-    """A case that one of two columns calls variable is variable, and a note names both; else nothing is said."""
+def test_kinds_of_a_case_that_contradict_are_said(
+    tmp_path: Path, action: str, group: str, load: str, kind: str, said: str
+) -> None:
+    """A case that one of three columns calls variable is variable, and a note names all; else nothing is said."""
     sheets = slab()
     sheets["StructuralLoadGroup"][1][1] = group
-    sheets["StructuralLoadCase"][1][1] = action
+    sheets["StructuralLoadGroup"][1][3] = None
+    sheets["StructuralLoadCase"][1][1:4] = [action, "LG", load]
     sheets["StructuralSurfaceActionFree"] = free("-5")
     found = read(tmp_path, sheets)
     assert case_of(found.model).action == kind
-    said = f'action type "{action}" in a group of type "{group.lower()}", taken as variable'
-    assert (said in notes(found)) == (bool(action) and action != group)
+    assert (f"taken as {kind}" in notes(found)) == bool(said)
+    assert said in notes(found)
+
+
+@pytest.mark.parametrize(
+    ("action", "group", "load"),
+    [("Accidental", "Variable", "Static"), ("Variable", "Accidental", "Static"), ("Permanent", "Seismic", "Others"),
+     ("Permanent", "Accidental", "Others"), ("Permanent", "Permanent", "Seismic")],
+)  # fmt: skip
+def test_kinds_of_a_case_that_leave_open_what_is_safe_are_refused(
+    tmp_path: Path, action: str, group: str, load: str
+) -> None:
+    """Accidental and seismic actions are in other combinations than the others: neither reading is on the safe side."""
+    sheets = slab()
+    sheets["StructuralLoadGroup"][1][1] = group
+    sheets["StructuralLoadCase"][1][1:4] = [action, "LG", load]
+    with pytest.raises(gs.InputError, match=f'action type "{action}".*"{group}", which contradict') as caught:
+        read(tmp_path, sheets)
+    assert "StructuralLoadCase, row 2" in str(caught.value)
+
+
+def test_load_types_of_group_and_case_that_differ_are_refused(tmp_path: Path) -> None:
+    """A case of snow in a group of wind has two sets of psi."""
+    sheets = slab()
+    sheets["StructuralLoadCase"][1][3] = "Snow"
+    with pytest.raises(gs.InputError, match='load types of group and case that differ: "Wind" and "Snow"'):
+        read(tmp_path, sheets)
+
+
+def _add(sheet: str, *rows: list[Any]) -> dict[str, list[list[Any]]]:
+    """Return a sheet of the slab with more rows."""
+    return {sheet: [*slab()[sheet], *rows]}
+
+
+_FORCES = ["Name", "Direction", "Force action", "Reference node", "Value [kN]", "Load case", "Coordinate system"]
+_FORCE = ["F", "Z", "In node", "I", -10, "Q", "Global"]
+
+
+@pytest.mark.parametrize(
+    ("sheets", "said"),
+    [
+        (_add("StructuralSurfaceConnection", ["SS", "S", "Gravel", 0, 0, 60, 50, 50]),
+         'StructuralSurfaceConnection, row 3: found the name "SS" again, as in row 2, with c1z "100" and "60"'),
+        (_add("StructuralSurfaceMember", ["S", "C", "Constant", "900", *slab()["StructuralSurfaceMember"][1][4:]]),
+         'thickness "300" and "900"'),
+        (_add("StructuralPointConnection", ["N2", 7, 0, 0]), 'coordinatex "6" and "7"'),
+        (_add("StructuralMaterial", ["C", "Concrete", "C30/37", 2500, 3300, 0.2, 1.2e-5]),
+         'emodulus "33000" and "3300"'),
+        (_add("StructuralLoadGroup", ["LG", "Permanent", "Standard", None]),
+         'loadgrouptype "Variable" and "Permanent"'),
+        (_add("StructuralLoadCase", ["Q", "Permanent", "LG", "Static"]), 'actiontype "Variable" and "Permanent"'),
+        ({"StructuralPointAction": [_FORCES, _FORCE, _FORCE]},
+         'the name "F" again, as in row 2, with the same values'),
+        ({"StructuralPointAction": [[*_FORCES, "Value [kN]"], [*_FORCE, -20]]},
+         'row 2, value: found two columns that say "-10 kN" and "-20 kN"'),
+        ({"StructuralPointAction": [[*_FORCES, "Value [kip]"], [*_FORCE, -10]]}, '"-10 kN" and "-10 kip"'),
+        ({"Model": [*saf_files.model_sheet(), ["System of units", "Imperial"]]}, '"Metric" and "Imperial"'),
+        ({"Model ": saf_files.model_sheet("Imperial")}, "two sheets of that name"),
+    ],
+)  # fmt: skip
+def test_what_sheets_say_twice_is_refused(tmp_path: Path, sheets: saf_files.Sheets, said: str) -> None:
+    """Two rows of one name, two columns of one heading: neither added up nor overridden, but said with both values."""
+    with pytest.raises(gs.InputError) as caught:
+        read(tmp_path, slab() | sheets)
+    assert said in str(caught.value)
+
+
+def test_columns_that_say_the_same_twice_are_no_contradiction(tmp_path: Path) -> None:
+    """Nor is a second one that is blank."""
+    rows = [[*_FORCES, "Value [kN]"], [*_FORCE, -10], ["G", *_FORCE[1:], None]]
+    model = read(tmp_path, slab() | {"StructuralPointAction": rows}).model
+    assert [load.P for load in model.loads if isinstance(load, gs.PointLoad)] == [20e3]
+
+
+def test_a_case_with_two_factors_in_a_combination_is_refused(tmp_path: Path) -> None:
+    """It is not added up to 2.85."""
+    row = ["C", None, "ULS", None, "Linear", 1.35, 1, "Q", 1.5, 1, "Q"]
+    with pytest.raises(gs.InputError, match=r'the case "Q" with the factors 1\.35 and 1\.5'):
+        read(tmp_path, combinations(row))
+
+
+def test_two_results_of_one_section_are_refused(tmp_path: Path) -> None:
+    """The foot of a column with two normal forces in one load case."""
+    sheets = column(True, 0, -100, 0, 0, 0, 0, 0)
+    sheets["ResultInternalForce1D"].append([*sheets["ResultInternalForce1D"][1][:6], -300, 0, 0, 0, 0, 0])
+    with pytest.raises(gs.InputError, match='C in Q again, as in row 2, with n "-100" and "-300"'):
+        read(tmp_path, sheets)
+
+
+@pytest.mark.parametrize(
+    ("value", "thickness", "P"),
+    [
+        (-1234, "300", 1234), ("-1234.5", "300", 1234.5), ("-12,5", "300", 12.5), ("-1.234,5", "300", 1234.5),
+        ("-1,234.5", "300", 1234.5), ("-0,250", "300", 0.25), ("-1,234", "299.5", 1234), ("-1,234", "299,5", 1.234),
+        ("-1 234", "300", 1234),
+    ],
+)  # fmt: skip
+def test_texts_are_numbers_as_the_file_writes_them(tmp_path: Path, value: object, thickness: str, P: float) -> None:
+    """What stands before decimals is what stands there in the other texts of the file."""
+    sheets = slab() | {"StructuralPointAction": [_FORCES, [*_FORCE[:4], value, *_FORCE[5:]]]}
+    sheets["StructuralSurfaceMember"][1][3] = thickness
+    (load,) = read(tmp_path, sheets).model.loads
+    assert isinstance(load, gs.PointLoad)
+    assert pytest.approx(P * 1e3) == load.P
+
+
+def test_a_text_that_two_countries_read_differently_is_refused(tmp_path: Path) -> None:
+    """-1,234 kN are 1.234 or 1234 kN; nothing else in the file tells which."""
+    sheets = slab() | {"StructuralPointAction": [_FORCES, [*_FORCE[:4], "-1,234", *_FORCE[5:]]]}
+    with pytest.raises(gs.InputError, match=r"-1,234 may be -1234 or -1\.234: make the cell a number"):
+        read(tmp_path, sheets)
 
 
 def combinations(*rows: list[Any]) -> saf_files.Sheets:
@@ -355,6 +476,39 @@ def test_combinations_by_a_standard(tmp_path: Path) -> None:
     assert case.parts["combine"] == gs.Combine(sets=("ultimate",), expression="ACI 318")
     assert "also those that it does not list: W1, W2" in notes(case)
     assert "frequent of a second code, left out" in notes(case)
+
+
+def test_a_limit_state_of_a_description_is_that_of_the_category(tmp_path: Path) -> None:
+    """A combination that is called ultimate in words and serviceability by its category is refused."""
+    with pytest.raises(gs.InputError, match=r'category "sls.*" and description "ultimate", which contradict'):
+        read(tmp_path, combinations(["C", "ultimate", "SLS (Serviceability Limit State)", None, "Linear", *_ALL]))
+
+
+def test_stiffnesses_that_contradict_are_noted(tmp_path: Path) -> None:
+    """A rigid support with a spring; G of 13.75 GPa beside E = 33 GPa and nu = 0.2 is right, 10 GPa is not."""
+    sheets = slab()
+    sheets["StructuralPointSupport"] = [
+        ["Name", "Boundary condition", "Node", "ux", "uy", "uz", "fix", "fiy", "fiz", "Stiffness Z [MN/m]"],
+        ["P", "In node", "I", "Free", "Free", "Rigid", "Free", "Free", "Free", 200],
+    ]
+    for row, G in zip(sheets["StructuralMaterial"], ["G modulus [MPa]", 10000], strict=True):
+        row.append(G)
+    said = notes(read(tmp_path, sheets))
+    assert 'uz "rigid" with a stiffness of 200 MN/m, taken as rigid' in said
+    assert "E 33 GPa, G 10 GPa and Poisson's ratio 0.2, where E / (2 (1 + nu)) is 13.75 GPa" in said
+    sheets["StructuralMaterial"][1][-1] = 13750
+    assert "13.75" not in notes(read(tmp_path, sheets))
+
+
+@pytest.mark.parametrize(
+    ("units", "thickness"),
+    [("Metric units", "Thickness [mm]"), ("METRIC", "thickness (mm)"), ("metric system", "Thickness  [ mm ]")],
+)
+def test_units_are_spelled_in_other_ways(tmp_path: Path, units: str, thickness: str) -> None:
+    """300 mm are 0.3 m, however system of units and heading are written."""
+    sheets = slab() | {"Model": saf_files.model_sheet(units)}
+    sheets["StructuralSurfaceMember"][0][3] = thickness
+    assert read(tmp_path, sheets).parts["plate"].thickness == 0.3
 
 
 def test_a_category_that_is_not_defined_is_noted(tmp_path: Path) -> None:

@@ -10,15 +10,29 @@ from typing import Any, get_args
 from groundslab.case.saf.reading.context import ReadContext, RowFault, text, word
 from groundslab.case.saf.reading.workbook import Row
 from groundslab.model.loads.load_cases import Category, Combination, Combine, Expression, Kind, LimitState, LoadCase
-from groundslab.schema.wording import describe
+from groundslab.schema.wording import describe, listed
 
 #: Categories of EN 1990 by the load type of a load group, as the format names them.
 CATEGORIES: dict[str, Category] = {
     "domestic": "A", "offices": "B", "congregation": "C", "shopping": "D", "storage": "E", "vehicle < 30kn": "F",
     "vehicle > 30kn": "G", "roofs": "H", "snow": "snow", "wind": "wind", "temperature": "temperature",
 }  # fmt: skip
+#: Kinds of actions that a word may mean, the usual one first, by what it is said of. Seismic cases are variable or
+#: accidental ones in the format, whose pages on load cases and load groups say which types go together.
+_KINDS: dict[str, dict[str, tuple[Kind, ...]]] = {
+    "action type": {"permanent": ("permanent",), "variable": ("variable", "seismic"),
+                    "accidental": ("accidental", "seismic")},
+    "group of type": {"permanent": ("permanent",), "variable": ("variable", "seismic"), "moving": ("variable",),
+                      "accidental": ("accidental", "seismic"), "seismic": ("seismic",)},
+    "load type": {
+        "self weight": ("permanent",), "prestress": ("permanent",), "seismic": ("seismic",),
+        **dict.fromkeys(("static", "dynamic", "temperature", "wind", "snow", "maintenance", "moving", "fire"),
+                        ("variable", "accidental", "seismic")),
+    },
+}  # fmt: skip
 #: Limit states by the category of a combination.
 _STATES: dict[str, LimitState] = {"uls": "ultimate", "sls": "characteristic", "als": "accidental"}
+_SERVICE = ("characteristic", "frequent", "quasi-permanent")
 #: Limit states by the national standard of a combination; those of IBC are combined by ACI 318 and ASCE 7.
 _STANDARDS: dict[str, LimitState] = {
     "enulsstrgeosetb": "ultimate", "enulsstrgeosetc": "ultimate", "enaccidental1": "accidental",
@@ -46,24 +60,16 @@ def read_cases(context: ReadContext) -> list[LoadCase]:
 
 def _read_action(context: ReadContext, row: Row, group: Row | None) -> dict[str, Any]:
     """Return kind, category and group of a case."""
-    action = word(row, "actiontype", ("permanent", "variable", "accidental"), "permanent")
-    kind = word(group, "loadgrouptype") if group is not None else ""
-    if "seismic" in (kind, word(row, "loadtype")):
-        return {"action": "seismic"}
-    given = text(row, "actiontype")
-    if given and {action, kind} == {"permanent", "variable"}:
-        action = "variable"  # the larger factor
-        context.note(row, f"action type {describe(given)} in a group of type {describe(kind)}, taken as variable")
-    elif kind in get_args(Kind):
-        action = kind
-    elif kind:
-        context.note(row, f"a group of type {kind}, taken as {action}")
+    action = _read_kind(context, row, group)
     if action != "variable":
         return {"action": action}
     found: dict[str, Any] = {"action": "variable"}
-    types = [text(row, "loadtype")] if group is None else [text(group, "loadtype"), text(row, "loadtype")]
-    categories = (CATEGORIES.get(" ".join(name.lower().split())) for name in types)
-    category = next((each for each in categories if each is not None), None)
+    types = [text(each, "loadtype") for each in (group, row) if each is not None]
+    categories = {name: known for name in types if (known := CATEGORIES.get(" ".join(name.lower().split())))}
+    if len(set(categories.values())) > 1:
+        found_types = listed(map(describe, categories), "and")
+        raise RowFault("loadtype", f"load types of group and case that differ: {found_types}", "one category of loads")
+    category = next(iter(categories.values()), None)
     if category is not None:
         found["category"] = category
     else:
@@ -71,6 +77,31 @@ def _read_action(context: ReadContext, row: Row, group: Row | None) -> dict[str,
     if group is not None and word(group, "relation") == "exclusive":
         found["group"] = group.name
     return found
+
+
+def _read_kind(context: ReadContext, row: Row, group: Row | None) -> Kind:
+    """Return the kind of a case by all columns that speak of it; raises RowFault where they contradict each other.
+
+    A case that is permanent by one and variable by another is variable, which has the larger factor, with a note.
+    """
+    word(row, "actiontype", ("permanent", "variable", "accidental"), "permanent")
+    columns = [("action type", row, "actiontype"), ("load type", row, "loadtype")]
+    columns += [] if group is None else [("group of type", group, "loadgrouptype")]
+    said = {(what, text(each, key)): _KINDS[what].get(word(each, key), ()) for what, each, key in columns}
+    possible = [kinds for kinds in said.values() if kinds]
+    words = " and ".join(f"{what} {describe(name)}" for (what, name), kinds in said.items() if kinds)
+    usual = {kinds[0] for kinds in possible}
+    common = [kind for kind in get_args(Kind) if kind in usual and all(kind in kinds for kinds in possible)]
+    kind: Kind = common[0] if common else "variable" if possible else "permanent"
+    if possible and not common and not usual <= {"permanent", "variable"}:
+        hint = "say in all of these columns what kind of load case it is"
+        raise RowFault("actiontype", f"{words}, which contradict each other", "one kind of action", hint)
+    (_, name), of_group = list(said.items())[-1] if group is not None else (("", ""), ())
+    if (possible and not common) or (of_group and of_group[0] != kind):
+        context.note(row, f"{words}, taken as {kind}")
+    if name and not of_group:
+        context.note(row, f"a group of type {describe(name)}, taken as {kind}")
+    return kind
 
 
 def read_combinations(context: ReadContext, cases: list[LoadCase]) -> tuple[list[Combination], Combine | None]:
@@ -142,6 +173,9 @@ def _read_state(row: Row, category: str) -> dict[str, Any]:
     description = text(row, "description")
     for state in get_args(LimitState):
         if description == state or description.startswith(f"{state}, "):
+            if category[:3] in _STATES and (category[:3] == "sls") != (state in _SERVICE):
+                found = f"category {describe(category)} and description {describe(description)}"
+                raise RowFault("category", f"{found}, which contradict each other", "one limit state")
             return {"limit_state": state, "rule": description[len(state) + 2 :]}
     return {"limit_state": _STATES.get(category[:3], "ultimate")}
 
@@ -175,7 +209,12 @@ def _read_factors(context: ReadContext, row: Row, known: set[str]) -> dict[str, 
     for n, name in _cases_of(row):
         if name not in known:
             raise RowFault(f"loadcasename{n}", f"the case {describe(name)}", "one of sheet StructuralLoadCase")
-        multiplier = f"multiplier{n}" if f"multiplier{n}" in row.cells else f"loadmultiplier{n}"
-        factor = context.number(row, f"loadfactor{n}", "number", 1.0) * context.number(row, multiplier, "number", 1.0)
-        factors[name] = float(f"{factors.get(name, 0.0) + factor:.12g}")
+        spellings = (f"multiplier{n}", f"loadmultiplier{n}")
+        multipliers = {context.number(row, key, "number", 1.0) for key in spellings if key in row.cells} or {1.0}
+        found = [context.number(row, f"loadfactor{n}", "number", 1.0) * each for each in sorted(multipliers)]
+        factor = float(f"{found[0]:.12g}")
+        if len(found) > 1 or name in factors:
+            both = listed([f"{each:g}" for each in (factors.get(name, found[-1]), factor)], "and")
+            raise RowFault(f"loadcasename{n}", f"the case {describe(name)} with the factors {both}", "one factor")
+        factors[name] = factor
     return factors

@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
+from decimal import Decimal
 
+from groundslab.case.numbers import parse_number, readings, why_unclear
 from groundslab.case.report import ReportLine
 from groundslab.case.saf.reading.workbook import Row, cell_text
 from groundslab.case.saf.units import to_si, unit_of
 from groundslab.errors import InputError, Issue
+from groundslab.model.reactions import Decimals
 from groundslab.schema.wording import describe, listed
 
 Vector = tuple[float, float, float]
@@ -62,6 +64,7 @@ class ReadContext:
     issues: list[Issue] = field(default_factory=list)
     report: list[ReportLine] = field(default_factory=list)
     node_rows: dict[str, Row] = field(default_factory=dict)
+    decimals: Decimals | None = None
 
     def rows(self, sheet: str) -> list[Row]:
         """Return the rows of a sheet, none if there is no such sheet."""
@@ -110,12 +113,28 @@ class ReadContext:
                 raise RowFault(column, "nothing", f"a number in {unit_of(quantity, self.imperial) or 'figures'}")
             return default
         self._require_unit(row, column, quantity)
-        return to_si(parse_number(value, column), quantity, self.imperial)
+        return to_si(self._parse(value, column), quantity, self.imperial)
 
     def numbers(self, row: Row, column: str, quantity: str) -> list[float]:
         """Return the numbers in a column, divided by semicolons, in SI units."""
         self._require_unit(row, column, quantity)
-        return [to_si(parse_number(part, column), quantity, self.imperial) for part in texts(row, column)]
+        return [to_si(self._parse(part, column), quantity, self.imperial) for part in texts(row, column)]
+
+    def _parse(self, value: object, column: str) -> float:
+        """Return the number that a cell says; raises RowFault."""
+        said = str(value)
+        number: float | Decimal | None
+        if isinstance(value, int | float) and not isinstance(value, bool):
+            number = value
+        else:
+            number = parse_number(said, self.decimals) if self.decimals else None
+            if number is None and (unclear := why_unclear(said)):
+                hint = f"{unclear}: make the cell a number"
+                raise RowFault(column, describe(said), "one way to read it", hint)
+            number = next(iter(readings(said)), None) if number is None else number
+        if number is None or not -LARGEST <= number <= LARGEST:
+            raise RowFault(column, describe(said), "a number")
+        return float(number)
 
     def _require_unit(self, row: Row, column: str, quantity: str) -> None:
         """Raise RowFault where a heading names a unit of the other system, or any other one."""
@@ -143,17 +162,6 @@ class ReadContext:
     def upwards(self) -> float:
         """Return 1 if the vertical axis of the file goes up, -1 if it goes down."""
         return sum(self.axes[2])
-
-
-def parse_number(value: object, column: str) -> float:
-    """Return the number that a cell says; raises RowFault."""
-    try:
-        number = float(value if isinstance(value, int | float) else str(value).strip().replace(",", "."))
-    except (ValueError, OverflowError):
-        raise RowFault(column, describe(value if isinstance(value, str) else str(value)), "a number") from None
-    if isinstance(value, bool) or not math.isfinite(number) or abs(number) > LARGEST:
-        raise RowFault(column, describe(str(value)), "a number")
-    return number
 
 
 def texts(row: Row, column: str) -> list[str]:

@@ -133,8 +133,6 @@ def _read_vertical(context: ReadContext, row: Row, quantity: str) -> dict[str, A
     if sideways:
         context.note(row, "what holds it sideways, left out: the slab only bends")
     way = word(row, f"u{letter}", (*_WAYS, "non linear"))
-    if way == "free":
-        return None
     if way == "non linear":
         raise RowFault(f"u{letter}", '"Non linear"', listed(list(_WAYS)), "such a support is given by hand")
     found: dict[str, Any] = {}
@@ -142,6 +140,11 @@ def _read_vertical(context: ReadContext, row: Row, quantity: str) -> dict[str, A
         found["stiffness"] = context.number(row, f"stiffness{letter}", quantity)
         if found["stiffness"] <= 0:
             raise RowFault(f"stiffness{letter}", text(row, f"stiffness{letter}"), "more than 0")
+    elif stiff := context.number(row, f"stiffness{letter}", quantity, 0.0):
+        unit = "N/m" if quantity == "point stiffness" else "N/m2"
+        context.note(row, f"u{letter} {describe(way)} with a stiffness of {stiff / 1e6:g} M{unit}, taken as {way}")
+    if way == "free":
+        return None
     if "only" in way:
         # compression only keeps the member from moving against the axis, which goes up or down
         pushes = ("compression" in way) == (context.upwards > 0)

@@ -8,19 +8,21 @@ from pathlib import Path
 from typing import Any
 
 from groundslab.case import blanks, casefile
+from groundslab.case.numbers import find_decimals
 from groundslab.case.report import ReportLine, report_lines
 from groundslab.case.saf.reading.cases import read_cases, read_combinations
-from groundslab.case.saf.reading.context import AXES, ReadContext, text, word
+from groundslab.case.saf.reading.context import AXES, ReadContext, RowFault, text, word
 from groundslab.case.saf.reading.ground import read_ground, read_supports
 from groundslab.case.saf.reading.loads.column_forces import read_forces
 from groundslab.case.saf.reading.loads.forces import Loads
 from groundslab.case.saf.reading.loads.on_members import read_loads, read_settlements
 from groundslab.case.saf.reading.slab import Slab, SlabInFile, choose_slab, find_slabs
 from groundslab.case.saf.reading.structure import read_beams, read_columns, read_plate, read_walls
-from groundslab.case.saf.reading.workbook import Row, read_sheets
+from groundslab.case.saf.reading.workbook import Row, find_doubles, read_sheets
 from groundslab.errors import InputError, Issue
 from groundslab.model.model import Model
 from groundslab.model.outputs import Project
+from groundslab.model.reactions import Decimals
 from groundslab.schema.wording import describe, quote
 
 #: The sheets that are read.
@@ -143,10 +145,20 @@ def list_slabs(path: str | Path) -> tuple[SlabInFile, ...]:
 
 def _begin(path: str | Path, sheets: dict[str, list[Row]]) -> ReadContext:
     """Return what is known of a file before its slab is read; raises InputError."""
-    context = ReadContext(str(path), sheets)
+    context = ReadContext(str(path), sheets, decimals=_find_decimals(sheets))
+    for issue in find_doubles(str(path), sheets):
+        context.add(issue)
     _read_model_sheet(context)
     context.node_rows = {row.name: row for row in context.rows("StructuralPointConnection")}
     return context
+
+
+def _find_decimals(sheets: Mapping[str, list[Row]]) -> Decimals | None:
+    """Return what stands before decimals in cells that are texts, by all of those below headings with a unit."""
+    cells = (row.cells[key] for rows in sheets.values() for row in rows for key, unit in row.units.items() if unit)
+    parts = (part for cell in cells if isinstance(cell, str) for part in cell.split(";"))
+    numbers = (part.rpartition(":")[2].strip("()[] ") for part in parts)
+    return find_decimals(numbers, commas=True)
 
 
 def _read_model_sheet(context: ReadContext) -> None:
@@ -156,7 +168,7 @@ def _read_model_sheet(context: ReadContext) -> None:
         found, expected = "no sheet Model", "a file in the Structural Analysis Format"
         raise InputError([Issue(context.path, found, expected, "its sheet Model states units and axes")])
     with context.reading(rows[0]):
-        context.imperial = word(rows[0], "systemofunits", ("metric", "imperial"), "metric") == "imperial"
+        context.imperial = _is_imperial(rows[0])
         if not (version := text(rows[0], "safversion")).startswith(("2.0", "2.1", "2.2")):
             context.note(None, f"version {version or 'not given'}, read as one of 2.0 to 2.2", "Model")
         vertical = " ".join(text(rows[0], "globalcoordinatesystem").lower().replace("-", "minus ").split())
@@ -166,6 +178,15 @@ def _read_model_sheet(context: ReadContext) -> None:
         context.axes = AXES.get(vertical, context.axes)
     if context.issues:
         raise InputError(context.issues)
+
+
+def _is_imperial(row: Row) -> bool:
+    """Return whether the file's units are imperial: the first word of what it says; raises RowFault for any other."""
+    said = word(row, "systemofunits", default="metric")
+    first = said.split()[0]
+    if first not in ("metric", "imperial"):
+        raise RowFault("systemofunits", describe(said), "Metric or Imperial")
+    return first == "imperial"
 
 
 def _read_parts(context: ReadContext, slab: Slab) -> dict[str, Any]:

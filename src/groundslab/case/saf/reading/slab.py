@@ -22,6 +22,8 @@ if TYPE_CHECKING:
 NU, UNIT_WEIGHT = 0.2, 25e3
 #: Thermal expansion of concrete (EN 1992-1-1 3.1.3(5)), and more than any building material has [1/K].
 EXPANSION, MOST_EXPANSION = 1e-5, 1e-3
+#: G of isotropic materials, E / (2 (1 + nu)), and that of a file may differ by this part of it.
+SHEAR = 0.02
 #: So much beyond the edges of the slab is still on it [m].
 BESIDE = 1e-6
 
@@ -241,6 +243,9 @@ def _read_material(context: ReadContext, row: Row) -> Material:
         shear = E / (2 * G) - 1 if G > 0 and not given else -1.0
         nu = shear if 0 <= shear < 0.5 else NU
         context.note(row, f"Poisson's ratio {given or 'not given'}, taken as {nu:.4g}")
+    elif G > 0 and abs(G * 2 * (1 + nu) / E - 1) > SHEAR:
+        found = f"E {E / 1e9:.4g} GPa, G {G / 1e9:.4g} GPa and Poisson's ratio {nu:.4g}"
+        context.note(row, f"{found}, where E / (2 (1 + nu)) is {E / (2 * (1 + nu)) / 1e9:.4g} GPa: G is not taken")
     mass = context.number(row, "unitmass", "mass", 0.0)
     if mass <= 0:
         context.note(row, f"no unit mass, taken as {UNIT_WEIGHT / 1e3:g} kN/m3")

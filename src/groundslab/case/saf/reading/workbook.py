@@ -6,7 +6,7 @@ import io
 import re
 import warnings
 import zipfile
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -14,7 +14,7 @@ from typing import Any
 from groundslab.case.saf.units import heading_key, heading_unit
 from groundslab.errors import InputError, Issue
 from groundslab.optional import import_optional
-from groundslab.schema.wording import describe
+from groundslab.schema.wording import describe, listed
 
 #: The largest file that is read, what its parts may unfold to [bytes], and how many parts it may have.
 LARGEST_FILE, LARGEST_CONTENT, MOST_PARTS = 64_000_000, 256_000_000, 2000
@@ -24,6 +24,11 @@ MOST_ROWS, MOST_COLUMNS, MOST_CELLS = 200_000, 400, 5_000_000
 LONGEST_TEXT = 32_767
 #: Letters of a sheet's name that Excel keeps.
 LONGEST_NAME = 31
+
+#: Sheets whose rows may be parts of one object.
+PARTS = ("StructuralEdgeConnection", "StructuralCurveConnection")
+#: Differences of two rows that are listed, at most.
+MOST_LISTED = 3
 
 #: Sheets that have their headings in the first column.
 UPRIGHT = ("Project", "Model")
@@ -36,12 +41,16 @@ _PIECE = 1 << 20
 
 @dataclass(frozen=True, slots=True)
 class Row:
-    """A row of a sheet: its cells by the keys of their columns' headings, and the units in these headings."""
+    """A row of a sheet: its cells by the keys of their columns' headings, and the units in these headings.
+
+    Where two columns of one heading say different things of it, or in different units, there are issues.
+    """
 
     sheet: str
     number: int
     cells: Mapping[str, Any]
     units: Mapping[str, str]
+    issues: tuple[Issue, ...] = ()
 
     @property
     def name(self) -> str:
@@ -142,28 +151,65 @@ def _rows_of(sheet: Any, name: str, path: str) -> Iterator[Row]:
     """Yield the rows of a sheet; of several tables side by side those of one after the other."""
     sheet.reset_dimensions()
     lines = sheet.iter_rows(max_row=1 if name not in UPRIGHT else MOST_ROWS, max_col=MOST_COLUMNS, values_only=True)
+    where = f"{path}, sheet {name}"
     if name in UPRIGHT:
-        cells = {heading_key(line[0]): line[1] for line in lines if len(line) > 1 and line[0] is not None}
-        yield Row(name, 1, cells, {})
+        pairs = [(heading_key(line[0]), line[1]) for line in lines if len(line) > 1 and line[0] is not None]
+        yield _make_row(name, 1, where, [(key, "", value) for key, value in pairs])
         return
     headings: tuple[Any, ...] = next(lines, ())
     while headings and headings[-1] is None:
         headings = headings[:-1]
     keys = [heading_key(heading) if heading is not None else "" for heading in headings]
-    units = {key: heading_unit(heading) for key, heading in zip(keys, headings, strict=True) if key}
+    units = [heading_unit(heading) for heading in headings]
     # a table starts where the first heading comes again
     starts = [position for position, key in enumerate(keys) if key and key == keys[0]] or [0]
     lines = sheet.iter_rows(min_row=2, max_row=MOST_ROWS + 1, max_col=max(len(keys), 1), values_only=True)
     for number, line in enumerate(lines, start=2):
         if number > MOST_ROWS and any(value is not None for value in line):
-            raise InputError([Issue(f"{path}, sheet {name}", f"more than {MOST_ROWS:,} rows", "fewer")])
+            raise InputError([Issue(where, f"more than {MOST_ROWS:,} rows", "fewer")])
         for start, end in zip(starts, [*starts[1:], len(keys)], strict=True):
-            cells = {}
-            for key, value in zip(keys[start:end], line[start:end], strict=False):
-                if key and value is not None and value != "":
-                    if isinstance(value, str) and len(value) > LONGEST_TEXT:
-                        found = f"a text of {len(value):,} letters: {describe(value)}"
-                        raise InputError([Issue(f"{path}, sheet {name}, row {number}", found, "a shorter one")])
-                    cells.setdefault(key, value)
-            if cells:
-                yield Row(name, number, cells, units)
+            parts = zip(keys[start:end], units[start:end], line[start:end], strict=False)
+            row = _make_row(name, number, f"{where}, row {number}", parts)
+            if row.cells:
+                yield row
+
+
+def _make_row(sheet: str, number: int, where: str, parts: Iterable[tuple[str, str, Any]]) -> Row:
+    """Return a row from keys of headings, their units and values; raises InputError for an overlong text."""
+    cells, units, issues = dict[str, Any](), dict[str, str](), list[Issue]()
+    for key, unit, value in parts:
+        if not key or value is None or value == "":
+            continue
+        if isinstance(value, str) and len(value) > LONGEST_TEXT:
+            raise InputError([Issue(where, f"a text of {len(value):,} letters: {describe(value)}", "a shorter one")])
+        said = cells.setdefault(key, value), units.setdefault(key, unit)
+        if said != (value, unit):
+            both = [describe(f"{cell_text(each)} {of}".strip()) for each, of in (said, (value, unit))]
+            issues.append(Issue(f"{where}, {key}", f"two columns that say {listed(both, 'and')}", "one"))
+    return Row(sheet, number, cells, units, tuple(issues))
+
+
+def find_doubles(path: str, sheets: Mapping[str, Sequence[Row]]) -> Iterator[Issue]:
+    """Yield what sheets say twice: objects with the name of another one, and columns with the heading of another.
+
+    Rows of one line support are parts of it, and are joined where they are read; rows of results have no names.
+    """
+    for sheet, rows in sheets.items():
+        first: dict[str, Row] = {}
+        for row in rows:
+            yield from row.issues
+            other = first.setdefault(row.name, row)
+            if sheet in UPRIGHT and row is not rows[0]:
+                yield Issue(f"{path}, sheet {sheet}", "two sheets of that name", "one")
+            elif other is not row and row.name and sheet not in PARTS:
+                found = f"the name {describe(row.name)} again, as in row {other.number}, {difference(other, row)}"
+                yield Issue(f"{path}, sheet {sheet}, row {row.number}", found, "each name once in a sheet")
+
+
+def difference(one: Row, other: Row) -> str:
+    """Return in words what two rows on one thing say differently."""
+    keys = [key for key in {**one.cells, **other.cells} if key not in ("id", "name")]
+    pairs = [(key, cell_text(one.cells.get(key)), cell_text(other.cells.get(key))) for key in keys]
+    differ = [f"{key} {describe(a)} and {describe(b)}" for key, a, b in pairs if a != b]
+    more = f" and {len(differ) - MOST_LISTED} more" if len(differ) > MOST_LISTED else ""
+    return f"with {', '.join(differ[:MOST_LISTED])}{more}" if differ else "with the same values"

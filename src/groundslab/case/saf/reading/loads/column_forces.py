@@ -12,7 +12,8 @@ from groundslab.case.saf.reading.geometry import CLOSE, Edge
 from groundslab.case.saf.reading.loads.forces import Loads, add_at_point
 from groundslab.case.saf.reading.slab import Slab
 from groundslab.case.saf.reading.structure import member_axes
-from groundslab.case.saf.reading.workbook import Row
+from groundslab.case.saf.reading.workbook import Row, difference
+from groundslab.errors import Issue
 from groundslab.geometry.plan import make_segments
 from groundslab.model.loads.lines import LineLoad
 from groundslab.model.structure.lines import part_of_line
@@ -39,6 +40,7 @@ def _of_cases(
     """Return the rows of results of load cases by member and case; those of others are counted."""
     rows: dict[tuple[str, str], list[Row]] = defaultdict(list)
     left = Counter[str]()
+    places: dict[tuple[str, ...], Row] = {}
     for row in context.rows(sheet):
         member, case = text(row, key), text(row, "loadcase")
         if member not in names:
@@ -49,6 +51,10 @@ def _of_cases(
             left["of load cases that are not in the file"] += 1
         else:
             rows[member, case].append(row)
+            place = (member, case, *(text(row, each) for each in ("edge", "sectionat", "index")))
+            if (other := places.setdefault(place, row)).cells != row.cells:
+                found = f"{member} in {case} again, as in row {other.number}, {difference(other, row)}"
+                context.add(Issue(context.where(row), found, "each section once"))
     for why, count in left.items():
         context.note(None, f"{count:,} rows {why}, not read", sheet)
     return rows

@@ -6,13 +6,14 @@ import re
 from collections import Counter
 from collections.abc import Iterable
 from decimal import Decimal
+from typing import get_args
 
-from groundslab.case.reactions.cells import Cell
 from groundslab.model.reactions import Decimals
 
 _SIGN, _POWER = r"[+-]?", r"(?:[eE][+-]?[0-9]{1,2})?"
+Cell = str | float
 _PLAIN = re.compile(rf"{_SIGN}(?:[0-9]{{1,20}}(?:\.[0-9]{{0,20}})?|\.[0-9]{{1,20}}){_POWER}")
-_GROUPED = re.compile(rf"{_SIGN}[0-9]{{1,3}}(?:[ '][0-9]{{3}})+(?:\.[0-9]{{0,20}})?{_POWER}")
+_GROUPED = re.compile(rf"{_SIGN}[1-9][0-9]{{0,2}}(?:[ '][0-9]{{3}})+(?:\.[0-9]{{0,20}})?{_POWER}")
 _LIKE = re.compile(rf"{_SIGN}[0-9.,' ]*[0-9][0-9.,' ]*{_POWER}")
 _MARKS = str.maketrans({"−": "-", "–": "-", "\u00a0": " ", "\u202f": " ", "’": "'"})
 #: Digits of the numbers of a workbook, which are floats: what is printed of them.
@@ -31,15 +32,19 @@ def find_decimals(cells: Iterable[Cell], commas: bool) -> Decimals | None:
     """
     texts = (cell.translate(_MARKS) for cell in cells if isinstance(cell, str))
     kinds: Counter[str] = Counter()
+    firm = set[Decimals]()
     for text in texts:
         if not _LIKE.fullmatch(text):
             continue
         if "." in text and "," in text:
-            return "point" if text.rfind(".") > text.rfind(",") else "comma"
+            firm.add("point" if text.rfind(".") > text.rfind(",") else "comma")
+            continue
         for mark in ".,":
             # 1.234 and 1,234 may be grouped digits as well as decimals
             grouped = re.fullmatch(rf"[+-]?[1-9][0-9]{{0,2}}(?:[{mark}][0-9]{{3}})+", text)
             kinds[mark + "?" * bool(grouped)] += mark in text
+    if firm:
+        return firm.pop() if len(firm) == 1 else None
     if kinds["."] and kinds[","]:
         return None
     if kinds["."] or kinds[","]:
@@ -59,6 +64,18 @@ def parse_number(cell: Cell, decimals: Decimals) -> Decimal | None:
     if not (_PLAIN.fullmatch(text) or _GROUPED.fullmatch(text)):
         return None
     return Decimal(text.replace("'", "").replace(" ", ""))
+
+
+def readings(text: str) -> tuple[Decimal, ...]:
+    """Return the numbers that a text may be: two where commas and points mean other things in other countries."""
+    numbers = (parse_number(text, decimals) for decimals in get_args(Decimals))
+    return tuple(dict.fromkeys(number for number in numbers if number is not None))
+
+
+def why_unclear(text: str) -> str:
+    """Return that a text may be two numbers, nothing if it is at most one."""
+    found = readings(text)
+    return f"{text.strip()} may be {' or '.join(map(format_number, found))}" if len(found) > 1 else ""
 
 
 def format_number(number: Decimal) -> str:
