@@ -8,6 +8,7 @@ import tempfile
 from pathlib import Path
 from typing import Any
 
+from annex_tables import table_of_actions, tables
 from compare_generations import table as generations
 from draw_imports import diagram
 
@@ -28,6 +29,7 @@ DOCS = Path(__file__).resolve().parent.parent / "docs"
 def contents() -> dict[Path, str]:
     """Return what each of the files should hold."""
     return {
+        DOCS / "annexes.md": _page("annexes.md", annexes=tables(), actions=table_of_actions()),
         DOCS / "architecture.md": _page("architecture.md", imports=diagram()),
         DOCS / "commands.md": _page("commands.md", commands=commands_text()),
         DOCS / "input.md": _page("input.md", keys=docs_table()),

@@ -651,7 +651,7 @@ def test_docs_table_covers_all_keys() -> None:
 def test_docs_are_up_to_date() -> None:
     """The generated parts of docs/ are what the code gives now (else run tools/write_docs.py)."""
     contents = runpy.run_path(str(ROOT / "tools" / "write_docs.py"))["contents"]()
-    assert len(contents) == 6
+    assert len(contents) == 7
     for path, text in contents.items():
         assert path.read_text(encoding="utf-8") == text, path
 

@@ -8,11 +8,15 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache
+from typing import Any
 
-from groundslab.design.eurocode2.annex_files import Table, read_table, unconfirmed_clauses, values_of
+from groundslab.design.eurocode2.annex_files import AnnexFile, read_file, read_rows, values_of
 
 #: Names of the annexes, and their files.
-ANNEXES = {"recommended": "recommended", "Germany": "germany", "United Kingdom": "united_kingdom"}
+ANNEXES = {
+    "recommended": "recommended", "France": "france", "Germany": "germany", "Italy": "italy", "Poland": "poland",
+    "Spain": "spain", "United Kingdom": "united_kingdom",
+}  # fmt: skip
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -27,6 +31,8 @@ class Annex:
     c_rd_c: float
     v_min: tuple[float, float]
     v_min_factored: bool
+    most_f_ck_shear: float
+    lever_by_cover: bool
     nu: tuple[float, float, float]
     flattest: float
     crack_friction: float
@@ -44,12 +50,15 @@ class Annex:
     spacing: tuple[float, float, float]
     spacing_bent_most: tuple[float, float, float]
     k_3: float
+    k_3_cover: float
     k_4: float
     crack_spacing_by_stress: bool
+    least_f_ct: float
     w_max: Mapping[str, float]
     c_min_dur: Mapping[str, float]
     delta_c_dev: float
     beam_links: tuple[float, float]
+    slab_links: float
     lap: tuple[float, float]
     cover_relieves: bool
 
@@ -57,17 +66,18 @@ class Annex:
 @cache
 def annex_of(name: str) -> Annex:
     """Return the parameters of an annex, the recommended ones where it has none of its own."""
-    return Annex(**values_of({**table("recommended"), **table(name)}))
+    return Annex(**values_of({**file_of("recommended").parameters, **file_of(name).parameters}))
 
 
-def table(name: str) -> Table:
-    """Return the parameters in an annex's file, each with its value, clause and source."""
-    return read_table("groundslab.design.en1992", ANNEXES[name])
+@cache
+def file_of(name: str) -> AnnexFile:
+    """Return the file of an annex, whose parameters each have value, clause and sources."""
+    return read_file("groundslab.design.en1992", ANNEXES[name])
 
 
-def unconfirmed(name: str) -> list[str]:
-    """Return the clauses of a national annex whose values were found in no source that could be read."""
-    return [] if name == "recommended" else unconfirmed_clauses(table(name))
+def actions() -> list[dict[str, Any]]:
+    """Return the national parameters of EN 1990 and EN 1997-1, which are keys of a case."""
+    return read_rows("groundslab.design.en1992", "actions")
 
 
 #: What is taken where no annex is named.

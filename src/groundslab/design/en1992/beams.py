@@ -6,10 +6,8 @@ import numpy as np
 
 from groundslab.arrays import Array
 from groundslab.design.en1992 import bending, shear
-from groundslab.design.en1992.case_materials import materials
+from groundslab.design.en1992.case_materials import largest_cover, materials
 from groundslab.model.design.reinforcement import Reinforcement
-
-_MPA = 1e6
 
 
 def minimum(steel: Reinforcement, limit_state: str, d: float, height: float) -> float:
@@ -21,7 +19,5 @@ def minimum(steel: Reinforcement, limit_state: str, d: float, height: float) -> 
 def links(steel: Reinforcement, limit_state: str, v: Array, d: float) -> Array:
     """Return links per area in plan (n,) [m2/m2] for shear forces over the width (n,) [N/m]; inf where none help."""
     concrete, bars = materials(steel, limit_state)
-    found = shear.required_links(v, np.full(len(v), d), concrete, bars).area
-    of_root, of_tension = concrete.annex.beam_links
-    least = (of_root * np.sqrt(concrete.f_ck / _MPA) * _MPA + of_tension * concrete.f_ctm) / bars.f_yk
-    return np.asarray(np.maximum(found, least))
+    found = shear.required_links(v, np.full(len(v), d), concrete, bars, largest_cover(steel)).area
+    return np.asarray(np.maximum(found, shear.minimum_beam_links(concrete, bars)))

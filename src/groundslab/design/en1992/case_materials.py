@@ -5,9 +5,11 @@ from __future__ import annotations
 from groundslab.design.en1992.annex import annex_of
 from groundslab.design.en1992.materials import Concrete, Steel
 from groundslab.design.eurocode2.materials import strengths
+from groundslab.model.design.laid_bars import axis_of, bars_of
 from groundslab.model.design.reinforcement import Reinforcement
+from groundslab.results.fields import LAYERS
 
-__all__ = ["least_cover", "materials", "strengths", "widest_crack"]
+__all__ = ["largest_cover", "least_cover", "materials", "strengths", "widest_crack"]
 
 
 def materials(steel: Reinforcement, limit_state: str = "ultimate") -> tuple[Concrete, Steel]:
@@ -41,3 +43,10 @@ def least_cover(steel: Reinforcement, diameter: float) -> float | None:
         return None
     durable = 0.0 if steel.exposure is None else annex.c_min_dur[steel.exposure]
     return max(durable, diameter, 0.010) + annex.delta_c_dev
+
+
+def largest_cover(steel: Reinforcement, face: str = "") -> float:
+    """Return the largest cover [m] of longitudinal bars at a face, bottom or top, or at any; their axis if none lie."""
+    layers = [layer for layer in LAYERS if layer.startswith(face)]
+    thinnest = {layer: min(bars.diameter for bars in bars_of(steel, layer)) if steel.laid else 0.0 for layer in layers}
+    return max(axis_of(steel, layer) - thinnest[layer] / 2 for layer in layers)

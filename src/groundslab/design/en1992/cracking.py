@@ -39,7 +39,7 @@ FORMULAS = {
     "s_r by stress": "min(s_r, sigma_s * phi / (3.6 * f_ctm))",
     "w_k": "s_r * eps * 1000",
     "k": "min(1, max(0.65, 1 - 0.7 * (h - 0.3)))",
-    "A_min bending": "0.4 * k * f_ctm * h / 2 / f_yk * 10000",
+    "A_min bending": "0.4 * k * f_ct * h / 2 / f_yk * 10000",
     "A_min tension": "k * f_ct * h / 2 / f_yk * 10000",
     "sigma_s tension": "k * f_ct * h / 2 / A_s",
     "rho tension": "A_s / min(2.5 * (h - d), h / 2)",
@@ -80,7 +80,13 @@ def mean_strain(
 def largest_spacing(bars: Bars, h: Array, x: Array, rho: Array, annex: Annex = RECOMMENDED, k_2: float = K_2) -> Array:
     """Return s_r,max (n,) [m] by 7.11, or by 7.14 where bars lie too far apart for it."""
     apart = np.asarray(bars.spacing > 5 * (bars.cover + bars.diameter / 2))
-    return np.where(apart, 1.3 * (h - x), annex.k_3 * bars.cover + K_1 * k_2 * annex.k_4 * bars.diameter / rho)
+    near = cover_factor(annex, bars.cover) * bars.cover + K_1 * k_2 * annex.k_4 * bars.diameter / rho
+    return np.where(apart, 1.3 * (h - x), near)
+
+
+def cover_factor(annex: Annex, cover: Array | float) -> Array:
+    """Return k_3 of covers (n,) or one [m], which falls by (c_0 / c)^(2/3) in France (7.3.4(3))."""
+    return np.asarray(annex.k_3 * np.minimum(1.0, annex.k_3_cover / np.asarray(cover)) ** (2 / 3))
 
 
 def crack_width(
@@ -119,10 +125,11 @@ def spacing_by_stress(sigma_s: Array, bars: Bars, concrete: Concrete, f_ct: floa
 def minimum_area(h: Array, concrete: Concrete, sigma_s: float) -> Array:
     """Return the least area of bars (n,) [m2/m] that controls cracks from bending, 7.3.2(2): 7.1 with k_c = 0.4.
 
-    sigma_s [Pa] is the stress that is allowed right after a crack has formed, f_yk or less.
+    sigma_s [Pa] is the stress that is allowed right after a crack has formed, f_yk or less. f_ct,eff is f_ctm, or what
+    the annex asks for at least.
     """
     h = np.asarray(h, dtype=float)
-    return np.asarray(0.4 * depth_factor(h) * concrete.f_ctm * h / 2 / sigma_s)
+    return np.asarray(0.4 * depth_factor(h) * concrete.f_ct_least * h / 2 / sigma_s)
 
 
 def depth_factor(h: Array) -> Array:

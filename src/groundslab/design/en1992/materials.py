@@ -47,7 +47,13 @@ class Concrete:
     def strut(self) -> float:
         """Return nu f_cd [Pa], the strength of concrete with shear cracks: 6.2.2(6), 6.2.3(3)."""
         a, b, c = self.annex.nu
-        return a * min(1.0, b - self.f_ck / (c * _MPA)) * self.alpha_cc_shear * self.f_ck / self.gamma_c
+        f_ck = self.f_ck_shear
+        return a * min(1.0, b - f_ck / (c * _MPA)) * self.alpha_cc_shear * f_ck / self.gamma_c
+
+    @property
+    def f_ck_shear(self) -> float:
+        """Return f_ck [Pa] in shear and punching, which annexes bound."""
+        return min(self.f_ck, self.annex.most_f_ck_shear * _MPA)
 
     @property
     def alpha_cc_shear(self) -> float:
@@ -86,6 +92,11 @@ class Concrete:
     def E_cm(self) -> float:
         """Return the secant modulus [Pa] of concrete with quartzite aggregates, Table 3.1."""
         return 22e9 * math.pow(self.f_cm / (10 * _MPA), 0.3)
+
+    @property
+    def f_ct_least(self) -> float:
+        """Return f_ct,eff [Pa] of the least bars that control cracks: f_ctm, or what the annex asks for, 7.3.2(2)."""
+        return max(self.f_ctm, self.annex.least_f_ct * _MPA)
 
     @property
     def f_ctm(self) -> float:

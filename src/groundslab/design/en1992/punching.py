@@ -53,7 +53,7 @@ def most_bars(concrete: Concrete, steel: Steel) -> float:
 
 def resistance_without_links(concrete: Concrete, d: float, rho: float = MOST_BARS) -> float:
     """Return v_Rd,c [Pa] at 2 d for an effective depth d [m] and a ratio rho of bars."""
-    f_ck, k = concrete.f_ck / _MPA, size_factor(d)
+    f_ck, k = concrete.f_ck_shear / _MPA, size_factor(d)
     of_bars = concrete.annex.c_rd_c_punching / concrete.gamma_c * k * math.cbrt(100 * min(rho, MOST_BARS) * f_ck)
     return max(of_bars, least_factor(concrete, d) * k * math.sqrt(k * f_ck)) * _MPA
 
@@ -62,7 +62,7 @@ def required_ratio(concrete: Concrete, d: float, v: float) -> float:
     """Return the ratio rho of bars for which v_Rd,c is v [Pa], for an effective depth d [m]; 0 if none are needed."""
     if v <= resistance_without_links(concrete, d, 0.0):
         return 0.0
-    of_one = concrete.annex.c_rd_c_punching / concrete.gamma_c * size_factor(d) * math.cbrt(concrete.f_ck / _MPA)
+    of_one = concrete.annex.c_rd_c_punching / concrete.gamma_c * size_factor(d) * math.cbrt(concrete.f_ck_shear / _MPA)
     return (v / _MPA / of_one) ** 3 / 100
 
 

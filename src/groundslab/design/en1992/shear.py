@@ -4,20 +4,24 @@
     v_Rd,max = z nu f_cd / (cot theta + tan theta)                                       6.2.3(3), 6.9
     a_sw = v_Ed / (z f_ywd cot theta)                                                    6.2.3(3), 6.8
 
-k = 1 + (200 / d)^(1/2) <= 2, f_ck in MPa and d in mm; z = 0.9 d (6.2.3(1)). C_Rd,c, v_min, nu and the flattest strut
-are those of the concrete's annex, by default 0.18 / gamma_C, 0.035, 0.6 (1 - f_ck / 250) and cot theta = 2.5.
+k = 1 + (200 / d)^(1/2) <= 2, f_ck in MPa and d in mm; z = 0.9 d (6.2.3(1)), in Germany at most the larger of d - 2 c
+and d - c - 30 mm, c being the cover of the bars in compression. C_Rd,c, v_min, nu and the flattest strut are those of
+the annex, by default 0.18 / gamma_C, 0.035, 0.6 (1 - f_ck / 250) and cot theta = 2.5.
 """
 
 from __future__ import annotations
+
+import math
 
 import numpy as np
 
 from groundslab.arrays import Array
 from groundslab.design.en1992.materials import Concrete, Steel
-from groundslab.design.eurocode2 import struts
 from groundslab.design.eurocode2.struts import LEVER, LINKS, Links, links_by_struts
 
-__all__ = ["LEVER", "Links", "minimum_links", "required_links", "resistance_without_links"]
+__all__ = [
+    "LEVER", "Links", "lever", "minimum_beam_links", "minimum_links", "required_links", "resistance_without_links",
+]  # fmt: skip
 
 _MPA = 1e6
 #: The formulas of the functions here, with forces per width in MN/m, stresses in MPa and lengths in m.
@@ -30,11 +34,13 @@ FORMULAS = {
 MOST_BARS = 0.02
 #: Depths [m] up to which and from which v_min is that of thin and of thick members.
 THIN, THICK = 0.6, 0.8
+#: z is at most d less the cover and this [m], or less twice the cover (DIN EN 1992-1-1/NA, NCI to 6.2.3(1)).
+COVER_LESS = 0.030
 
 
 def resistance_without_links(concrete: Concrete, d: Array, rho: Array) -> Array:
     """Return v_Rd,c (n,) [N/m] for effective depths d (n,) [m] and ratios of bars in tension rho (n,)."""
-    f_ck, d = concrete.f_ck / _MPA, np.asarray(d, dtype=float)
+    f_ck, d = concrete.f_ck_shear / _MPA, np.asarray(d, dtype=float)
     k = size_factor(d)
     of_bars = concrete.annex.c_rd_c / concrete.gamma_c * k * np.cbrt(100 * np.minimum(rho, MOST_BARS) * f_ck)
     least = least_factor(concrete, d) * k**1.5 * np.sqrt(f_ck)
@@ -51,12 +57,20 @@ def least_factor(concrete: Concrete, d: Array) -> Array:
     return np.asarray(np.interp(d, [THIN, THICK], concrete.v_min_factor))
 
 
-def required_links(v: Array, d: Array, concrete: Concrete, steel: Steel) -> Links:
+def lever(concrete: Concrete, d: Array, cover: float) -> Array:
+    """Return z (n,) [m] for depths d (n,) [m] and the cover [m] of the longitudinal bars in compression, 6.2.3(1)."""
+    d = np.asarray(d, dtype=float)
+    if not concrete.annex.lever_by_cover:
+        return LEVER * d
+    return np.minimum(LEVER * d, np.maximum(d - 2 * cover, d - cover - COVER_LESS))
+
+
+def required_links(v: Array, d: Array, concrete: Concrete, steel: Steel, cover: float) -> Links:
     """Return vertical links for shear forces v (n,) [N/m], with the flattest struts that the concrete bears.
 
-    Where no struts bear, cot theta is 1 and the area inf.
+    The cover [m] is that of the longitudinal bars in compression. Where no struts bear, cot theta is 1, the area inf.
     """
-    z = LEVER * np.asarray(d, dtype=float)
+    z = lever(concrete, d, cover)
     return links_by_struts(v, z, concrete.strut, steel.f_yd, _flattest(np.asarray(v), z, concrete))
 
 
@@ -65,10 +79,16 @@ def _flattest(v: Array, z: Array, concrete: Concrete) -> Array:
     annex = concrete.annex
     if not annex.crack_friction:
         return np.full(np.broadcast(v, z).shape, annex.flattest)
-    left = 1 - annex.crack_friction * np.cbrt(concrete.f_ck / _MPA) * _MPA * z / np.maximum(v, 1e-12)
+    left = 1 - annex.crack_friction * np.cbrt(concrete.f_ck_shear / _MPA) * _MPA * z / np.maximum(v, 1e-12)
     return np.asarray(np.clip(1.2 / np.maximum(left, 1e-12), 1.0, annex.flattest))
 
 
 def minimum_links(concrete: Concrete, steel: Steel) -> float:
-    """Return the least links per area of the plan [m2/m2], 9.2.2(5) by 9.3.2(2)."""
-    return struts.minimum_links(concrete.f_ck / _MPA, steel.f_yk / _MPA)
+    """Return the least links of slabs per area of the plan [m2/m2], 9.2.2(5) by 9.3.2(2)."""
+    return concrete.annex.slab_links * minimum_beam_links(concrete, steel)
+
+
+def minimum_beam_links(concrete: Concrete, steel: Steel) -> float:
+    """Return the least links of beams per area of the plan [m2/m2], 9.2.2(5)."""
+    of_root, of_tension = concrete.annex.beam_links
+    return (of_root * math.sqrt(concrete.f_ck / _MPA) * _MPA + of_tension * concrete.f_ctm) / steel.f_yk

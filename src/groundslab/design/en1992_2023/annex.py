@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import cache
 
-from groundslab.design.eurocode2.annex_files import Table, read_table, values_of
+from groundslab.design.eurocode2.annex_files import Table, read_file, values_of
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -34,7 +34,7 @@ def recommended() -> Annex:
 
 def table() -> Table:
     """Return the recommended values, each with its clause and source."""
-    return read_table("groundslab.design.en1992_2023", "recommended")
+    return read_file("groundslab.design.en1992_2023", "recommended").parameters
 
 
 #: What is taken where a case gives no other.

@@ -11,6 +11,8 @@ it is not here, which is on the safe side.
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
 from groundslab.arrays import Array
@@ -58,5 +60,5 @@ def required_links(v: Array, d: Array, concrete: Concrete, steel: Steel, flattes
 
 
 def minimum_links(concrete: Concrete, steel: Steel) -> float:
-    """Return the least links per area of the plan [m2/m2], 12.4."""
-    return struts.minimum_links(concrete.f_ck / _MPA, steel.f_yk / _MPA)
+    """Return the least links per area of the plan [m2/m2], 12.4, of class A of ductility, the most of all classes."""
+    return 0.08 * math.sqrt(concrete.f_ck / _MPA) / (steel.f_yk / _MPA)

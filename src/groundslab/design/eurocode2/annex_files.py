@@ -3,28 +3,58 @@
 from __future__ import annotations
 
 import tomllib
+from dataclasses import dataclass
 from importlib.resources import files
 from typing import Any
 
-#: Parameters by name, each with its value, clause and source.
+#: Parameters by name, each with its value, clause and sources; those recommended also with what they are, and tests.
 Table = dict[str, dict[str, Any]]
 
 
-def read_table(package: str, name: str) -> Table:
-    """Return the parameters in a file of the folder annexes of a package."""
-    path = files(package) / "annexes" / f"{name}.toml"
-    parameters: Table = tomllib.loads(path.read_text(encoding="utf-8"))["parameters"]
-    return parameters
+@dataclass(frozen=True, slots=True)
+class AnnexFile:
+    """What a file of the folder annexes says.
+
+    Attributes
+    ----------
+    title : str
+        The document.
+    parameters : dict
+        What differs from the recommended values; all of these in their own file.
+    left_out : tuple of str
+        Rules of the annex that are not followed, by clause.
+    complete : bool
+        Whether all of the annex was looked for, and not only what the file has.
+    """
+
+    title: str
+    parameters: Table
+    left_out: tuple[str, ...] = ()
+    complete: bool = True
+
+
+def read_file(package: str, name: str) -> AnnexFile:
+    """Return a file of the folder annexes of a package."""
+    content = _content(package, name)
+    return AnnexFile(
+        content["title"], content["parameters"], tuple(content.get("left_out", ())), content.get("complete", True)
+    )
+
+
+def read_rows(package: str, name: str) -> list[dict[str, Any]]:
+    """Return the rows of a file of the folder annexes of a package."""
+    rows: list[dict[str, Any]] = _content(package, name)["rows"]
+    return rows
+
+
+def _content(package: str, name: str) -> dict[str, Any]:
+    """Return what a file of the folder annexes has."""
+    return tomllib.loads((files(package) / "annexes" / f"{name}.toml").read_text(encoding="utf-8"))
 
 
 def values_of(parameters: Table) -> dict[str, Any]:
     """Return the values, lists as tuples."""
     return {key: _frozen(parameter["value"]) for key, parameter in parameters.items()}
-
-
-def unconfirmed_clauses(parameters: Table) -> list[str]:
-    """Return the clauses whose values were found in no source that could be read."""
-    return list(dict.fromkeys(parameter["clause"] for parameter in parameters.values() if not parameter["source"]))
 
 
 def _frozen(value: Any) -> Any:

@@ -53,11 +53,3 @@ def links_by_struts(v: Array, z: Array, strut: float, f_ywd: float, flattest: Ar
     borne = (1 + np.sqrt(1 - steepest**2)) / np.maximum(steepest, 1e-12)
     cot = np.clip(borne, 1.0, flattest)
     return Links(np.where(sine > 1, np.inf, v / (z * f_ywd * cot)), cot)
-
-
-def minimum_links(f_ck: float, f_yk: float) -> float:
-    """Return the least links per area of the plan [m2/m2] for strengths [MPa].
-
-    EN 1992-1-1:2004 9.2.2(5) by 9.3.2(2); EN 1992-1-1:2023 (12.4) for class A of ductility, the most of all classes.
-    """
-    return float(0.08 * np.sqrt(f_ck) / f_yk)

@@ -43,7 +43,7 @@ ConcreteClass = Literal[
 SteelClass = Literal["B450C", "B500A", "B500B", "B500C", "B550A", "B550B"]
 #: Codes that strength is checked by, annexes of EN 1992-1-1, exposure classes of its Table 4.1.
 Code = Literal["EN 1992-1-1", "ACI 318", "EN 1992-1-1:2023"]
-AnnexName = Literal["recommended", "Germany", "United Kingdom"]
+AnnexName = Literal["recommended", "France", "Germany", "Italy", "Poland", "Spain", "United Kingdom"]
 Exposure = Literal["X0", "XC1", "XC2", "XC3", "XC4", "XD1", "XD2", "XD3", "XS1", "XS2", "XS3"]
 ConcreteChoice = Choice(ConcreteClass, "strength class of the concrete", "give the strength of any other class as f_ck")
 SteelChoice = Choice(SteelClass, "class of the steel", "give the yield strength of any other steel as f_yk")

@@ -55,7 +55,8 @@ def _without_links(f_ck: float, d: float, rho: float, annex: str = "recommended"
 
 def _struts(v: float, z: float, f_ck: float, f_yk: float, annex: str = "recommended") -> shear.Links:
     """Return links and struts for a shear force per width v with the lever arm z."""
-    return shear.required_links(np.array([v]), np.array([z / shear.LEVER]), _concrete(f_ck, annex), Steel(f_yk))
+    d = np.array([z / shear.LEVER])
+    return shear.required_links(np.array([v]), d, _concrete(f_ck, annex), Steel(f_yk), cover=0.0)
 
 
 def _links(**given: Any) -> float:

@@ -176,14 +176,14 @@ def test_germany_limits_punching_by_what_needs_no_links() -> None:
     assert "1.4 v_Rd,c" in found["punching within 2 d"].words
 
 
-def test_values_without_a_source_need_attention() -> None:
-    """What no second source confirms of a national annex is named by its clauses; what EN recommends itself is not."""
-    for annex, clause in (("Germany", "6.4.5(3), NA.6.53.1"), ("United Kingdom", "Table NA.4")):
-        found = rows({**EN, **AXES, "annex": annex})["national parameters"]
-        assert found.status == "attention"
-        assert clause in found.words
-        assert "3.1.6(1)" not in found.words
-    assert "national parameters" not in rows({**EN, **AXES})
+def test_annexes_known_in_part_need_attention() -> None:
+    """What is known of the French annex is named by its clauses; those looked through, and EN itself, need none."""
+    found = rows({**EN, **AXES, "annex": "France"})["national parameters"]
+    assert found.status == "attention"
+    assert "NF EN 1992-1-1/NA:2007-03" in found.words
+    assert "6.2.2(1), 7.3.4(3)" in found.words
+    for annex in ("recommended", "Germany", "United Kingdom"):
+        assert "national parameters" not in rows({**EN, **AXES, "annex": annex})
 
 
 def test_distance_of_bars_by_annex() -> None:

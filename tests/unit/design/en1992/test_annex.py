@@ -4,20 +4,30 @@ from __future__ import annotations
 
 import dataclasses
 import math
+import re
 from typing import get_args
 
 import numpy as np
 import pytest
 
-from groundslab.design.en1992 import beams, bending, cracking, punching, shear
-from groundslab.design.en1992.annex import ANNEXES, RECOMMENDED, Annex, annex_of, table
-from groundslab.design.en1992.case_materials import materials
+from groundslab.design.en1992 import anchorage, beams, bending, cracking, punching, shear
+from groundslab.design.en1992.annex import ANNEXES, RECOMMENDED, Annex, actions, annex_of, file_of
+from groundslab.design.en1992.case_materials import largest_cover, least_cover, materials
 from groundslab.design.en1992.materials import Concrete, Steel
+from groundslab.design.eurocode2.annex_files import Table
 from groundslab.errors import InputError
+from groundslab.model.design.bars import Bars
 from groundslab.model.design.reinforcement import AnnexName, Exposure, Reinforcement
+from groundslab.model.loads.load_cases import PSI, Combine
+from helpers.paths import ROOT
 
 STEEL = Steel(500e6)
 KEYS = {field.name for field in dataclasses.fields(Annex)}
+
+
+def table(name: str) -> Table:
+    """Return the parameters in an annex's file."""
+    return file_of(name).parameters
 
 
 def concrete(annex: str, f_ck: float = 30e6) -> Concrete:
@@ -28,13 +38,33 @@ def concrete(annex: str, f_ck: float = 30e6) -> Concrete:
 
 @pytest.mark.parametrize("name", ANNEXES)
 def test_every_parameter_has_a_clause(name: str) -> None:
-    """Each value is one of the parameters, has a clause, and says where it was looked up, if anywhere."""
+    """Each value is a parameter, has a clause, and says where it was looked up; recommended ones also what they are."""
     for key, each in table(name).items():
         assert key in KEYS
-        assert set(each) == {"value", "clause", "source"}
+        more = {"quantity", "tests"} if name == "recommended" else set()
+        assert set(each) == {"value", "clause", "sources", *more}
         assert each["clause"]
+        assert len(set(each["sources"])) == len(each["sources"])
     if name == "recommended":
         assert set(table(name)) == KEYS
+
+
+def test_every_parameter_is_held_by_tests() -> None:
+    """The tests that the table names are there."""
+    there = {each for path in ROOT.glob("tests/**/test_*.py")
+             for each in re.findall(r"^def (test_\w+)", path.read_text("utf-8"), re.M)}  # fmt: skip
+    for row in [*table("recommended").values(), *actions()]:
+        assert row["tests"], row
+        assert not set(row["tests"]) - there, row
+
+
+def test_defaults_of_actions_are_those_of_the_table() -> None:
+    """What the table of EN 1990 and EN 1997-1 calls recommended is what a case has without these keys."""
+    combine = Combine(sets=("ultimate",))
+    for row in actions():
+        part, _, key = row["key"].partition(".")
+        found = getattr(combine, key) if part == "combine" else PSI[key.removeprefix("category ")]
+        assert (list(found) if isinstance(found, tuple) else found) == row["recommended"], row["key"]
 
 
 def test_names_of_the_model() -> None:
@@ -64,10 +94,19 @@ def test_defaults_are_the_annex_and_keys_override_it() -> None:
 
 
 def test_struts_take_the_alpha_of_shear() -> None:
-    """The British annex has alpha_cc 0.85 in bending and 1.0 in shear; an alpha that is given counts in both."""
+    """The British annex has alpha_cc 0.85 in bending and 1.0 in shear; an alpha that is given counts in both.
+
+    nu f_cd of C30: 0.6 (1 - 30 / 250) = 0.528 of 20 MPa, in Germany 0.75 and in Italy 0.5 of 17 MPa; in Poland 0.528 of
+    21.43 MPa. In Italy nu is 0.5 of C70 too, and less beyond.
+    """
     own = annex_of("United Kingdom")
     assert concrete("United Kingdom").strut == pytest.approx(0.528 * 20e6)
     assert Concrete(30e6, 1.5, 0.9, own).strut == pytest.approx(0.528 * 18e6)
+    assert concrete("Germany").strut == pytest.approx(0.75 * 17e6)
+    assert concrete("Italy").strut == pytest.approx(0.5 * 17e6)
+    assert concrete("Poland").strut == pytest.approx(0.528 * 30e6 / 1.4)
+    assert concrete("Italy", 70e6).strut == pytest.approx(0.5 * 0.85 * 70e6 / 1.5)
+    assert concrete("Italy", 80e6).strut == pytest.approx(0.4 * 0.85 * 80e6 / 1.5)
 
 
 def test_punching_by_annex() -> None:
@@ -79,15 +118,119 @@ def test_punching_by_annex() -> None:
     assert punching.most_bars(concrete("Germany"), STEEL) == pytest.approx(0.5 * 17 / (500 / 1.15))
     assert punching.max_resistance(concrete("United Kingdom")) == pytest.approx(0.5 * 0.528 * 20e6)
     assert punching.max_resistance(concrete("Germany")) is None
-    assert [annex_of(name).k_max for name in ANNEXES] == [1.5, 1.4, 2.0]
-    assert [annex_of(name).least_beta for name in ANNEXES] == [1.0, 1.1, 1.0]
+    differ = {"Germany": (1.4, 1.1), "United Kingdom": (2.0, 1.0)}
+    for name in ANNEXES:
+        assert (annex_of(name).k_max, annex_of(name).least_beta) == differ.get(name, (1.5, 1.0))
 
 
-@pytest.mark.parametrize(("name", "least"), [("recommended", 4.382), ("United Kingdom", 4.382), ("Germany", 4.634)])
-def test_least_links_of_beams(name: AnnexName, least: float) -> None:
-    """C30/37 over 0.5 m: 0.08 x 30^(1/2) / 500 (9.5N) are 4.382 cm2/m, Germany's 0.16 x 2.896 / 500 4.634 cm2/m."""
+@pytest.mark.parametrize(
+    ("name", "beam", "slab"),
+    [("recommended", 4.382, 8.764), ("United Kingdom", 4.382, 8.764), ("Germany", 4.634, 5.561)],
+)
+def test_least_links(name: AnnexName, beam: float, slab: float) -> None:
+    """C30/37: 0.08 x 30^(1/2) / 500 (9.5N) are 8.764 cm2/m2, in Germany 0.16 x 2.896 / 500, and 0.6 of that in slabs.
+
+    Beams are 0.5 m wide.
+    """
     steel = Reinforcement(annex=name, concrete="C30/37", steel="B500B", bottom=(0.05, 0.06), top=(0.05, 0.06))
-    assert 0.5e4 * beams.links(steel, "ultimate", np.zeros(1), 0.5)[0] == pytest.approx(least, abs=5e-4)
+    assert 0.5e4 * beams.links(steel, "ultimate", np.zeros(1), 0.5)[0] == pytest.approx(beam, abs=5e-4)
+    assert 1e4 * shear.minimum_links(*materials(steel)) == pytest.approx(slab, abs=1e-3)
+
+
+@pytest.mark.parametrize(
+    ("name", "bars", "least"),
+    [("recommended", 0.12, 0.035), ("United Kingdom", 0.12, 0.035), ("Poland", 0.18 / 1.4, 0.035),
+     ("France", 0.12, 0.053 / 1.5), ("Germany", 0.10, 0.0525 / 1.5)],
+)  # fmt: skip
+def test_one_way_shear_by_annex(name: str, bars: float, least: float) -> None:
+    """C30, d = 0.5 m: k = 1.6325; 1 % of bars, and so few that the least counts: v_min k^(3/2) 30^(1/2)."""
+    d, k = np.array([0.5]), 1 + 0.4**0.5
+    many, few = (shear.resistance_without_links(concrete(name), d, np.array([rho]))[0] / 0.5e6 for rho in (0.01, 1e-4))
+    assert many == pytest.approx(bars * k * 30 ** (1 / 3))
+    assert few == pytest.approx(least * k**1.5 * 30**0.5)
+    thick = shear.resistance_without_links(concrete("Germany"), np.array([0.8]), np.array([1e-4]))[0] / 0.8e6
+    assert thick == pytest.approx(0.0375 / 1.5 * 1.5**1.5 * 30**0.5)
+
+
+def test_strong_concrete_in_shear_by_annex() -> None:
+    """C90 counts as C50 in the United Kingdom, for v_Rd,c of one-way shear and punching and for struts."""
+    d, rho = np.array([0.5]), np.array([0.01])
+    for other, f_ck in (("United Kingdom", 50.0), ("recommended", 90.0)):
+        strong = concrete(other, 90e6)
+        v = shear.resistance_without_links(strong, d, rho)[0] / 0.5e6
+        assert v == pytest.approx(0.12 * (1 + 0.4**0.5) * f_ck ** (1 / 3))
+        punched = punching.resistance_without_links(strong, 0.8, 0.02) / 1e6
+        assert punched == pytest.approx(0.12 * 1.5 * (2 * f_ck) ** (1 / 3))
+        assert strong.strut == pytest.approx(0.6 * (1 - f_ck / 250) * f_ck / 1.5 * 1e6)
+
+
+def test_lever_arm_by_annex() -> None:
+    """A depth of 450 mm: 405 mm; in Germany with a cover of 50 mm 370 mm, with one of 20 mm 405 mm.
+
+    Links grow as it falls: v / (z f_yd cot theta).
+    """
+    d, v = np.array([0.45]), np.array([50e3])
+    for name, cover, z in (("recommended", 0.05, 0.405), ("Germany", 0.05, 0.37), ("Germany", 0.02, 0.405)):
+        assert shear.lever(concrete(name), d, cover) == pytest.approx([z])
+        links = shear.required_links(v, d, concrete(name), STEEL, cover)
+        assert links.area == pytest.approx([50e3 / (z * 500e6 / 1.15 * links.cot_theta[0])])
+    axes = Reinforcement(f_ck=30e6, f_yk=500e6, bottom=(0.05, 0.06), top=(0.04, 0.07))
+    assert (largest_cover(axes), largest_cover(axes, "bottom")) == (0.07, 0.06)
+    bars = dict.fromkeys(("bottom_x", "bottom_y", "top_x", "top_y"), Bars(diameter=0.012, spacing=0.15))
+    assert largest_cover(axes.replace(**bars)) == pytest.approx(0.064)
+
+
+def test_partial_factors_by_annex() -> None:
+    """gamma_C is 1.4 in Poland; accidental ones 1.3 and 1.0 in Germany and Spain, 1.0 in Italy; alpha_cc 0.85 there."""
+    accidental = {"Germany": (1.3, 1.0), "Spain": (1.3, 1.0), "Italy": (1.0, 1.0)}
+    for name in ANNEXES:
+        own = annex_of(name)
+        assert (own.gamma_c, own.gamma_s) == (1.4 if name == "Poland" else 1.5, 1.15)
+        assert own.accidental == accidental.get(name, (1.2, 1.0))
+        assert own.alpha_cc == (0.85 if name in {"Germany", "Italy", "United Kingdom"} else 1.0)
+
+
+def test_most_bars_by_annex() -> None:
+    """C90, d = 450 mm of 500 mm, 3.9 MNm: 4.5 % of bars, more than the recommended 4 %; in Germany 8 % are allowed.
+
+    x = 0.35 d: 48 x 0.7 x 0.1575 = 5.29 MN at 0.395 m, the other 1.81 MNm at 0.4 m: 9.82 MN / 434.8 MPa = 226 cm2.
+    """
+    d, h, m = np.array([0.45]), 0.5, np.array([3.9e6])
+    enough = {name: bool(np.isfinite(bending.required(m, d, Concrete(90e6, annex=annex_of(name)), STEEL, d_2=0.05,
+              thickness=h).tension[0])) for name in ("recommended", "Germany")}  # fmt: skip
+    assert enough == {"recommended": False, "Germany": True}
+
+
+def test_least_tensile_strength_by_annex() -> None:
+    """C20, 500 mm thick, k = 0.86: 0.4 x 0.86 x 2.21 x 250 / 500 = 3.80 cm2/m, in Germany by 3.0 MPa 5.16 cm2/m."""
+    for name, area in (("recommended", 3.801), ("Germany", 5.16)):
+        least = cracking.minimum_area(np.array([0.5]), concrete(name, 20e6), 500e6)
+        assert 1e4 * least == pytest.approx([area], rel=1e-3)
+
+
+def test_cover_by_annex() -> None:
+    """XC1, bars of 12 mm: 15 + 10 mm, in Germany 12 + 15 mm; XD2: 40 + 10 and 40 + 15 mm; others leave it."""
+    for exposure, most in (("XC1", {"recommended": 25, "Germany": 27}), ("XD2", {"recommended": 50, "Germany": 55})):
+        for name in ANNEXES:
+            steel = Reinforcement(
+                annex=name, exposure=exposure, f_ck=30e6, f_yk=500e6, bottom=(0.1, 0.1), top=(0.1, 0.1)
+            )
+            found = least_cover(steel, 0.012)
+            if name in {"United Kingdom", "Spain"}:
+                assert found is None
+            else:
+                assert found == pytest.approx(most.get(name, most["recommended"]) / 1e3)
+
+
+def test_laps_by_annex() -> None:
+    """alpha_6 is 1.5; in Germany 1.4 of bars thinner than 16 mm and 2.0 of others, and alpha_2 is 1."""
+    for name, thin, thick in (("recommended", 1.5, 1.5), ("Germany", 1.4, 2.0)):
+        for diameter, alpha_6 in ((0.012, thin), (0.016, thick)):
+            basic = anchorage.basic_length(concrete(name), STEEL, diameter, good=True)
+            alpha_2 = 0.7 if name == "recommended" else 1.0
+            lap = anchorage.lap_length(concrete(name), STEEL, diameter, 0.1, good=True)
+            assert lap == pytest.approx(alpha_2 * alpha_6 * basic)
+            assert anchorage.anchorage_length(concrete(name), STEEL, diameter, 0.1, good=True) == alpha_2 * basic
 
 
 def test_links_of_two_rows() -> None:
@@ -105,7 +248,17 @@ def test_least_bars_that_a_crack_needs() -> None:
 
 
 def test_crack_spacing_by_annex() -> None:
-    """Germany: phi / (3.6 rho), not more than sigma_s phi / (3.6 f_ct,eff); the cover has no part in it."""
+    """Germany: phi / (3.6 rho), not more than sigma_s phi / (3.6 f_ct,eff); the cover has no part in it.
+
+    France: k_3 c = 3.4 (25 / 50)^(2/3) 50 = 107.1 mm instead of 170 mm of a cover of 50 mm, and the same at 25 mm.
+    """
+    thin = cracking.Bars(0.012, 0.1, 0.025)
+    for name, of_cover in (("recommended", 0.170), ("France", 0.10709)):
+        deep = cracking.Bars(0.012, 0.1, 0.05)
+        far = cracking.largest_spacing(deep, np.array([0.3]), np.array([0.05]), np.array([0.02]), annex_of(name))
+        assert far == pytest.approx([of_cover + 0.8 * 0.5 * 0.425 * 0.012 / 0.02], rel=1e-4)
+        near = cracking.largest_spacing(thin, np.array([0.3]), np.array([0.05]), np.array([0.02]), annex_of(name))
+        assert near == pytest.approx([0.085 + 0.102])
     rho, bars = np.array([0.02]), cracking.Bars(0.012, 0.1, 0.05)
     s_r = cracking.largest_spacing(bars, np.array([0.3]), np.array([0.05]), rho, annex_of("Germany"))
     assert s_r == pytest.approx([0.012 / (3.6 * 0.02)])
@@ -121,13 +274,13 @@ def test_crack_spacing_by_annex() -> None:
 
 
 def test_shear_links_by_annex() -> None:
-    """Small forces: Germany lets struts be as flat as cot theta = 3, the others 2.5; larger ones steepen them."""
+    """Small forces: Germany lets struts be as flat as cot theta = 3, Poland 2, the others 2.5; large ones steepen."""
     z = np.array([0.36])
-    for name, cot in (("recommended", 2.5), ("United Kingdom", 2.5), ("Germany", 3.0)):
-        found = shear.required_links(np.array([50e3]), z / shear.LEVER, concrete(name), STEEL)
+    for name, cot in (("recommended", 2.5), ("United Kingdom", 2.5), ("Germany", 3.0), ("Poland", 2.0)):
+        found = shear.required_links(np.array([50e3]), z / shear.LEVER, concrete(name), STEEL, 0.0)
         assert found.cot_theta == pytest.approx([cot])
     v = 600e3
-    steep = shear.required_links(np.array([v]), z / shear.LEVER, concrete("Germany"), STEEL)
+    steep = shear.required_links(np.array([v]), z / shear.LEVER, concrete("Germany"), STEEL, 0.0)
     V_cc = 0.24 * 30 ** (1 / 3) * 1e6 * 0.36
     assert steep.cot_theta == pytest.approx([1.2 / (1 - V_cc / v)])
     assert steep.area == pytest.approx([v / (0.36 * STEEL.f_yd * 1.2 / (1 - V_cc / v))])

@@ -58,7 +58,7 @@ def test_struts(f_ck: float, flat: float, steep: float) -> None:
     """What struts bear, over the lever arm (The Concrete Centre, Table 7 of beams, its first row) [MPa]."""
     concrete, steel, z = Concrete(f_ck * 1e6), Steel(500e6), LEVER
     links = required_links(np.array([flat - 0.01, flat + 0.02, steep - 0.01, steep + 0.01]) * 1e6 * z, np.ones(4),
-                           concrete, steel)  # fmt: skip
+                           concrete, steel, 0.0)  # fmt: skip
     assert links.cot_theta[0] == FLATTEST
     assert 1.0 < links.cot_theta[2] < 1.1 < links.cot_theta[1] < FLATTEST
     assert links.fails.tolist() == [False, False, False, True]
@@ -68,7 +68,7 @@ def test_a_beam_at_its_balance() -> None:
     """Two legs of 12 mm every 150 mm in a width of 150 mm, z = 500 mm, C30, 450 MPa: 382.9 kN (program XC)."""
     concrete, steel = Concrete(30e6), Steel(450e6)
     legs = 2 * math.pi * 0.012**2 / 4 / 0.15 / 0.15
-    links = required_links(np.array([382.9130152e3 / 0.15]), np.array([0.5 / LEVER]), concrete, steel)
+    links = required_links(np.array([382.9130152e3 / 0.15]), np.array([0.5 / LEVER]), concrete, steel, 0.0)
     assert links.area == pytest.approx([legs], rel=1e-6)
 
 
@@ -78,7 +78,7 @@ def test_links_and_struts_are_in_equilibrium(share: float, d: float) -> None:
     concrete, steel = Concrete(35e6), Steel(500e6)
     z, strength = LEVER * d, 0.6 * (1 - 35 / 250) * concrete.f_cd
     v = np.array([share * z * strength / 2])
-    links = required_links(v, np.array([d]), concrete, steel)
+    links = required_links(v, np.array([d]), concrete, steel, 0.0)
     cot = links.cot_theta[0]
     assert links.area[0] * steel.f_yd * z * cot == pytest.approx(v[0])
     assert v[0] * (cot + 1 / cot) / z <= strength * (1 + 1e-12)

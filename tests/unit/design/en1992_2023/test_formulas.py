@@ -13,7 +13,6 @@ from groundslab.design.en1992_2023 import bending, cracking, punching, shear
 from groundslab.design.en1992_2023.annex import RECOMMENDED, table
 from groundslab.design.en1992_2023.case_materials import flattest, materials
 from groundslab.design.en1992_2023.materials import Concrete, Steel
-from groundslab.design.eurocode2.annex_files import unconfirmed_clauses
 from groundslab.design.eurocode2.cracked_sections import Bars
 from groundslab.errors import InputError
 from groundslab.model.design.reinforcement import Reinforcement
@@ -181,7 +180,6 @@ def test_every_parameter_says_where_it_was_read() -> None:
     """All have a clause and a source, and are attributes of the annex."""
     parameters = table()
     assert set(parameters) == set(RECOMMENDED.__slots__)
-    assert not unconfirmed_clauses(parameters)
-    assert all(parameter["clause"] for parameter in parameters.values())
+    assert all(parameter["clause"] and parameter["sources"] for parameter in parameters.values())
     folder = files("groundslab.design.en1992_2023") / "annexes"
     assert [each.name for each in folder.iterdir() if each.name.endswith(".toml")] == ["recommended.toml"]

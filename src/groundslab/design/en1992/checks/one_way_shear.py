@@ -11,7 +11,7 @@ from groundslab.design.basis.calculation import MEGA, Step
 from groundslab.design.basis.check import DesignCheck, Status
 from groundslab.design.basis.shear_demand import ShearDemand
 from groundslab.design.en1992 import shear
-from groundslab.design.en1992.case_materials import materials
+from groundslab.design.en1992.case_materials import largest_cover, materials
 from groundslab.design.en1992.checks.governing_perimeters import demands
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.results import Results
@@ -33,7 +33,7 @@ def resistance(steel: Reinforcement, limit_state: str, d: Array, rho: Array) -> 
 def struts_fail(steel: Reinforcement, limit_state: str, v: float, d: float) -> bool:
     """Return whether no links help under a shear force v [N/m] at an effective depth d [m]."""
     concrete, bars = materials(steel, limit_state)
-    return bool(shear.required_links(np.array([v]), np.array([d]), concrete, bars).fails[0])
+    return bool(shear.required_links(np.array([v]), np.array([d]), concrete, bars, largest_cover(steel)).fails[0])
 
 
 def check(steel: Reinforcement, demand: ShearDemand) -> DesignCheck:
@@ -46,7 +46,7 @@ def check(steel: Reinforcement, demand: ShearDemand) -> DesignCheck:
     status: Status = "no failure found"
     if demand.used > 1:
         concrete, bars = materials(steel, demand.results.limit_state)
-        links = shear.required_links(np.array([demand.v]), np.array([demand.d]), concrete, bars)
+        links = shear.required_links(np.array([demand.v]), np.array([demand.d]), concrete, bars, largest_cover(steel))
         area = max(float(links.area[0]), shear.minimum_links(concrete, bars))
         thin = demand.thickness < LEAST_WITH_LINKS
         status = "fails" if np.isinf(area) or thin else "attention"
@@ -65,7 +65,7 @@ def _steps(steel: Reinforcement, demand: ShearDemand) -> Iterator[Step]:
     d = np.array([demand.d])
     yield from demand.force_steps("v_Ed", "6.2.1(1)")
     yield Step("effective depth", "d", demand.d, "m")
-    yield Step("strength of the concrete", "f_ck", concrete.f_ck / MEGA, "MPa", clause="Table 3.1")
+    yield Step("strength of the concrete", "f_ck", concrete.f_ck_shear / MEGA, "MPa", clause="Table 3.1")
     yield Step("partial factor", "gamma_C", concrete.gamma_c, clause="2.4.2.4")
     yield from demand.ratio_steps("rho_l", "v_Ed", "6.2.2(1); EN 1992-2 LL.123")
     yield Step("factor of size", "k", float(shear.size_factor(d)[0]), "", shear.FORMULAS["k"], "6.2.2(1)")
@@ -75,9 +75,14 @@ def _steps(steel: Reinforcement, demand: ShearDemand) -> Iterator[Step]:
     v_Rd_c = demand.without_links / MEGA
     yield Step("resistance without links", "v_Rd,c", v_Rd_c, "MN/m", shear.FORMULAS["v_Rd,c"], "6.2.2(1), 6.2")
     yield Step("share used", "eta", demand.used, "", "v_Ed / v_Rd,c", "6.2.1(3)")
-    links = shear.required_links(np.array([demand.v]), d, concrete, bars)
+    cover = largest_cover(steel)
+    links = shear.required_links(np.array([demand.v]), d, concrete, bars, cover)
     if demand.used > 1 and not links.fails[0]:
-        yield Step("lever arm", "z", shear.LEVER * demand.d, "m", f"{shear.LEVER:g} * d", "6.2.3(1)")
+        z, formula = float(shear.lever(concrete, d, cover)[0]), f"{shear.LEVER:g} * d"
+        if concrete.annex.lever_by_cover:
+            yield Step("largest cover of longitudinal bars", "c", cover, "m", clause="6.2.3(1) of the annex")
+            formula = f"min({formula}, max(d - 2 * c, d - c - {shear.COVER_LESS:g}))"
+        yield Step("lever arm", "z", z, "m", formula, "6.2.3(1)")
         yield Step("strength of links", "f_ywd", bars.f_yd / MEGA, "MPa", clause="3.2.7(2)")
         yield Step("cot theta, the flattest struts that are borne", "cot", float(links.cot_theta[0]), clause="6.2.3(2)")
         area = float(links.area[0]) * 1e4

@@ -130,7 +130,7 @@ def _beta(stress: Stress, control: ControlPerimeter, least: float) -> Iterator[S
 
 def _resistance(demand: Demand, stress: Stress, concrete: Concrete) -> Iterator[Step]:
     """Yield what resists without links."""
-    yield Step("strength of the concrete", "f_ck", concrete.f_ck / MEGA, "MPa", clause="Table 3.1")
+    yield Step("strength of the concrete", "f_ck", concrete.f_ck_shear / MEGA, "MPa", clause="Table 3.1")
     yield Step("partial factor", "gamma_C", concrete.gamma_c, clause="2.4.2.4")
     yield Step("ratio of bars in tension that counts", "rho_l", demand.ratio, clause="6.4.4(1)")
     yield Step("factor of size", "k", en1992.size_factor(demand.d), "", en1992.FORMULAS["k"], "6.4.4(1)")

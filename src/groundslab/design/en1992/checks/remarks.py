@@ -1,4 +1,4 @@
-"""What puts a verdict by EN 1992-1-1 in doubt: parameters that no second source confirms, restraint without bars."""
+"""What puts a verdict by EN 1992-1-1 in doubt: annexes known in part, restraint without bars."""
 
 from __future__ import annotations
 
@@ -6,20 +6,18 @@ from collections.abc import Iterator
 
 from groundslab.design.basis.check import DesignCheck
 from groundslab.design.basis.combinations import solved_results
-from groundslab.design.en1992.annex import unconfirmed
+from groundslab.design.en1992.annex import file_of
 from groundslab.design.en1992.checks.cracks.restraint import without_bars
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.results import Results
 
 
 def remarks(combined: Results, steel: Reinforcement) -> Iterator[DesignCheck]:
-    """Yield the clauses of the annex that should be checked against the standard, and restraint that no bars bear."""
-    open_clauses = unconfirmed(steel.annex)
-    if open_clauses:
-        words = (
-            f"values of {steel.annex}'s annex found in only one source, to be checked against the standard: "
-            f"{'; '.join(open_clauses)}"
-        )
+    """Yield that an annex is known in part alone, and restraint that no bars bear."""
+    annex = file_of(steel.annex)
+    if not annex.complete:
+        clauses = ", ".join(dict.fromkeys(parameter["clause"] for parameter in annex.parameters.values()))
+        words = f"only the values of {clauses} are those of {annex.title}; all others are the recommended ones"
         yield DesignCheck("national parameters", "attention", words)
     if steel.restraint is not None and not steel.laid:
         results = solved_results(combined)[0]

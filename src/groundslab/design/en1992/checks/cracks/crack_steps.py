@@ -62,7 +62,8 @@ def _distance(bars: Bars, s_r: float, concrete: Concrete, k_2: float) -> Iterato
         return
     yield Step("factor of bond", "k_1", K_1, clause="7.3.4(3)")
     yield Step("factor of bending" if k_2 == K_2 else "factor of tension", "k_2", k_2, clause="7.3.4(3)")
-    yield Step("factor of the cover, by the annex", "k_3", concrete.annex.k_3, clause="7.3.4(3)")
+    k_3 = float(cracking.cover_factor(concrete.annex, bars.cover))
+    yield Step("factor of the cover, by the annex", "k_3", k_3, clause="7.3.4(3)")
     yield Step("factor of the bars, by the annex", "k_4", concrete.annex.k_4, clause="7.3.4(3)")
     yield Step("largest distance of cracks", "s_r", s_r, "m", FORMULAS["s_r near"], "7.3.4(3), 7.11")
 
@@ -70,7 +71,7 @@ def _distance(bars: Bars, s_r: float, concrete: Concrete, k_2: float) -> Iterato
 def least_in_bending(h: float, area: float, concrete: Concrete, steel: Steel) -> Iterator[Step]:
     """Yield the least bars as a slab h [m] thick first cracks in bending, against an area [m2/m]."""
     yield from _depth_factor(h)
-    yield Step("mean tensile strength", "f_ctm", concrete.f_ctm / MEGA, "MPa", clause="Table 3.1")
+    yield Step("tensile strength as it cracks", "f_ct", concrete.f_ct_least / MEGA, "MPa", clause="7.3.2(2), Table 3.1")
     yield Step("yield strength", "f_yk", steel.f_yk / MEGA, "MPa", clause="3.2.2(3)")
     least = float(cracking.minimum_area(np.array(h), concrete, steel.f_yk)) * 1e4
     yield from _least(least, area, FORMULAS["A_min bending"])

@@ -63,7 +63,7 @@ def check_restraint(
 def tensile_strength(steel: Reinforcement) -> float:
     """Return f_ct,eff [Pa] of a case with restraint."""
     assert steel.restraint is not None
-    return steel.restraint.f_ct_eff or materials(steel)[0].f_ctm
+    return steel.restraint.f_ct_eff or materials(steel)[0].f_ct_least
 
 
 def without_bars(steel: Reinforcement, thickness: Array) -> DesignCheck:
