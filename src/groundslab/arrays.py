@@ -7,6 +7,7 @@ import importlib.util
 import sys
 import weakref
 from collections.abc import Callable
+from dataclasses import fields, is_dataclass
 from typing import Generic, TypeVar
 
 import numpy as np
@@ -60,6 +61,18 @@ class Memo(Generic[T]):
             kept = _Companion(beside), make()
             self._kept[key] = kept
         return kept[1]
+
+
+def freeze(value: object) -> None:
+    """Make every array read-only that a dataclass or tuple holds, at any depth; nothing is copied."""
+    if isinstance(value, np.ndarray):
+        value.flags.writeable = False
+    elif isinstance(value, tuple):
+        for each in value:
+            freeze(each)
+    elif is_dataclass(value):
+        for field in fields(value):
+            freeze(getattr(value, field.name))
 
 
 def made_once(make: Callable[[Of], T]) -> Callable[[Of], T]:

@@ -29,8 +29,12 @@ def move_to_center(model: Model) -> Model:
     """Return a model about its own center, itself if it is there already; it knows its `origin`.
 
     Coordinates keep the decimals that those given have in double precision. So models that differ by where they lie are
-    one and the same, down to the last digit.
+    one and the same, down to the last digit. Raises InputError of a subclass of Model.
     """
+    from groundslab.model.model import Model
+
+    # a subclass would be solved by what no file says of it
+    Model.model_validate(model)
     origin = plan_origin(model)
     if origin == (0.0, 0.0):
         return model

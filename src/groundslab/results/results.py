@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from html import escape
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
-from groundslab.arrays import Array
+from groundslab.arrays import Array, freeze
 from groundslab.errors import GroundslabError, InputError, Issue, NoEquilibrium, NotCertified
 from groundslab.fem.parts.mesh_plan import MeshPlan
 from groundslab.results.fields import PLATE_FIELDS
@@ -196,6 +196,14 @@ class CombinationResult:
     largest: LargestValues | None = None
     mesh_history: MeshHistory | None = None
     wall_limits: tuple[WallLimit, ...] = ()
+
+    def __post_init__(self) -> None:
+        """Make all arrays read-only: what is printed, saved and certified is what was solved."""
+        freeze(self)
+
+    def __reduce__(self) -> tuple[type[CombinationResult], tuple[Any, ...]]:
+        """Return how a copy is made, whose arrays are read-only too: pickles do not say so of arrays."""
+        return type(self), tuple(getattr(self, field.name) for field in fields(self))
 
     @property
     def symmetry(self) -> tuple[bool, bool]:

@@ -13,7 +13,7 @@ from groundslab.schema.fields import MOST_ISSUES
 from groundslab.schema.issues import FieldError, RelativeIssue
 from groundslab.schema.repairs import remove, rename_key, set_value, use_nearest
 from groundslab.schema.section_fields import Field, SectionType, sections_by_kind, summary_of
-from groundslab.schema.wording import describe, find_nearest, listed, quote, suggestion
+from groundslab.schema.wording import describe, find_nearest, listed, quote, suggestion, with_article
 
 if TYPE_CHECKING:
     from pydantic import GetCoreSchemaHandler
@@ -72,8 +72,12 @@ class Section(metaclass=SectionType):
 
         The checks between fields run even where some fields are wrong: those that need valid ones only.
         """
-        if isinstance(data, cls):
+        if type(data) is cls:
             return data
+        if isinstance(data, cls):
+            found = f"a subclass, {type(data).__name__}, of {cls.__name__}"
+            hint = "what a subclass computes would be solved, but be in no file: give the keys their values instead"
+            raise FieldError(RelativeIssue((), found, f"{with_article(cls.__name__)} itself", hint))
         if not isinstance(data, Mapping):
             raise FieldError(_not_a_table((), data))
         # of a list far too long nothing else is said, as all that could be takes long to find

@@ -162,7 +162,7 @@ TEXTS = {"model.npy": 40_000_000, "about.npy": 40_000_000}
 
 
 def load(path: Path, alike: CombinationResult | None = None) -> CombinationResult:
-    """Return the results that ``write`` put into an archive; their arrays cannot be written to.
+    """Return the results that ``write`` put into an archive.
 
     Their mesh is that of results `alike` if it is the same: what is derived from it is then derived once. Raises
     InputError if anything in it is damaged.
@@ -246,8 +246,6 @@ def _results(arrays: dict[str, Any], alike: CombinationResult | None, path: Path
             for name in arrays.keys() & {f"{part}.{name}" for part in ("plate", "ground") for name in MESH}
             if np.array_equal(known[name], arrays[name])
         }
-    for array in arrays.values():
-        array.flags.writeable = False
     results = CombinationResult(
         model=_read_model(str(arrays["model"])),
         solved_model=_read_model(str(arrays["solved_model" if "solved_model" in arrays else "model"])),
