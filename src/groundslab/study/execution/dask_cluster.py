@@ -57,6 +57,9 @@ SETTINGS: dict[str, Any] = {
     # each process would serve pages over HTTP
     "distributed.worker.http.routes": [],
     "distributed.worker.preload": ["groundslab.study.execution.dask_plugin"],
+    # on a busy machine a process takes longer than Dask's 15 s to start anew; Dask would then stop it in the midst of a
+    # variant, which would be blamed for it
+    "distributed.deploy.lost-worker-timeout": "10 minutes",
 }
 INSTEAD = "--workers 0 does without it"
 LOOPBACK = "127.0.0.1"
@@ -136,11 +139,18 @@ def start_local(workers: int | None, most: int, dashboard: bool = False) -> Iter
 
 @contextmanager
 def _all_workers(cluster: Any) -> Iterator[None]:
-    """Start workers anew that Dask has given up: it does not restart one that died while it was starting."""
+    """Start workers anew that Dask has given up: it does not restart one that could not start."""
     from tornado.ioloop import PeriodicCallback
 
     count = len(cluster.worker_spec)
-    again = PeriodicCallback(lambda: cluster.scale(count), 1e3 * UPDATE_INTERVAL)
+
+    def restore() -> None:
+        for name, nanny in list(cluster.workers.items()):
+            if nanny.status.name in ("closed", "failed"):
+                del cluster.workers[name]
+        cluster.scale(count)
+
+    again = PeriodicCallback(restore, 1e3 * UPDATE_INTERVAL)
     cluster.loop.add_callback(again.start)
     try:
         yield

@@ -20,6 +20,7 @@ from types import SimpleNamespace
 import dask.config
 import psutil
 import pytest
+from dask.utils import parse_timedelta
 
 import groundslab
 from groundslab.errors import InputError
@@ -430,6 +431,27 @@ def test_strangers_are_kept_out() -> None:
             with pytest.raises(OSError, match=r"TLS certificate|TCP|timed out"):
                 distributed.Client(other, timeout=2, security=keys)
         assert found.threads == 2
+
+
+def test_workers_that_start_anew() -> None:
+    """A killed process starts anew under the same nanny, for as long as it takes; a nanny that ended is replaced.
+
+    Dask stops a nanny whose process is not back after its time limit, 15 s by default: on a busy machine just when the
+    new process has its first task, which then seems to end it with exit code 0.
+    """
+    with dask_cluster.start_local(1, 1) as found:
+        assert parse_timedelta(dask.config.get("distributed.deploy.lost-worker-timeout")) >= PATIENCE
+        cluster = found.client.cluster
+        [nanny] = cluster.workers.values()
+        address = nanny.worker_address
+        os.kill(nanny.pid, signal.SIGKILL)
+        wait_for(lambda: nanny.worker_address not in (None, address))
+        found.client.wait_for_workers(1, timeout=PATIENCE)
+        assert list(cluster.workers.values()) == [nanny]
+        assert found.exit_codes is not None
+        assert found.exit_codes.wait(address) == -signal.SIGKILL
+        cluster.sync(nanny.close)
+        wait_for(lambda: nanny not in cluster.workers.values() and len(found.client.nthreads()) == 1)
 
 
 def test_dashboard_when_asked_for() -> None:
