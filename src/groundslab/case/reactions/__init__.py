@@ -12,11 +12,13 @@ from groundslab.case import casefile
 from groundslab.case.numbers import format_number
 from groundslab.case.reactions.changes import THRESHOLD, CaseSum, ReactionChange, find_changes, find_pushes, sum_cases
 from groundslab.case.reactions.forces import Transfer, make_loads, middles, resultants, signs_in_words
+from groundslab.case.reactions.headings import unit_of
 from groundslab.case.reactions.matching import (
     Moved,
     frame_of,
     match_cases,
     match_supports,
+    remarks_on_cases,
     repeated,
     sideways,
     with_resultants,
@@ -29,6 +31,9 @@ from groundslab.model.model import Model
 from groundslab.model.reactions import Reactions
 from groundslab.schema.fields import MOST_ISSUES
 from groundslab.schema.wording import describe, listed
+
+#: Keys of [reactions] that are units.
+UNITS = ("force", "moment", "length")
 
 
 @dataclass(frozen=True, slots=True)
@@ -158,6 +163,9 @@ def _reading(model: Model, file: str, choices: Choices) -> Reactions:
         raise InputError([Issue("reactions", f"{describe(key)}", f"one of {known}") for key in unknown])
     pairs = {pair.table: pair.case for pair in last.cases} | dict(choices.cases)
     named = {pair.table: pair.on for pair in last.supports} | dict(choices.supports)
+    reading = {**reading} | {
+        key: unit_of(reading[key]) or reading[key] for key in UNITS if isinstance(reading.get(key), str)
+    }
     headings = reading.get("headings", {})
     if isinstance(headings, Mapping):
         reading = {**reading, "headings": last.headings.replace(**headings)}
@@ -200,8 +208,12 @@ def _take(
     document.set_loads(loads)
     document.set_reactions(reading, model.reactions)
     said = [f"signs: {signs_in_words(reading)}", *table.remarks, *remarks]
-    if cases.left:
-        said.append(f"combinations are left out, as only load cases are loads: {listed(cases.left, 'and')}")
+    said += remarks_on_cases(taken, cases, table, model)
+    combined = [case for case in cases.left if case not in table.unsigned]
+    if combined:
+        said.append(f"combinations are left out, as only load cases are loads: {listed(combined, 'and')}")
+    if unsigned := [f"{case} ({table.unsigned[case]})" for case in cases.left if case in table.unsigned]:
+        said.append(f"cases of largest values without signs are left out: {listed(unsigned, 'and')}")
     left_out = words_of_sideways(sums, table.force) if reading.horizontal == "left out" else []
     return [*said, *left_out], matched.moved
 

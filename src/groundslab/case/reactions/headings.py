@@ -5,11 +5,11 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from itertools import pairwise
+from itertools import combinations, pairwise
 from typing import Literal
 
 from groundslab import units
-from groundslab.case.reactions.cells import Grid
+from groundslab.case.reactions.cells import Cell, Grid
 from groundslab.errors import InputError, Issue
 from groundslab.model.reactions import ReactionHeadings
 from groundslab.schema.wording import describe, listed, quote
@@ -28,7 +28,7 @@ USUAL: Mapping[Role, tuple[str, ...]] = {
         "lastfall", "lf", "lflk",
     ),
     "support and case": ("nodecase", "supportcase", "jointcase"),
-    "type": ("casetype", "loadtype"),
+    "type": ("casetype", "loadtype", "designtype", "actiontype"),
     "step": ("steptype",),
     "x": ("x", "globalx", "xcoordinate", "xcoord", "coordx", "coordinatex", "xm"),
     "y": ("y", "globaly", "ycoordinate", "ycoord", "coordy", "coordinatey", "ym"),
@@ -63,11 +63,17 @@ _OTHERS = {
 }
 #: Rows among which headings are looked for.
 ABOVE = 60
-#: Units that other programs write in words that would mean something else here.
+#: Units that other programs write in words that would mean something else here, in small letters; theirs have any.
 _UNITS = {
-    "kips": "kip", "k": "kip", "lb": "lbf", "lbs": "lbf", "t": "tf", "T": "tf", "tonf": "tf", "Tonf": "tf", "kg": "kgf",
-    "inch": "in", "KN": "kN", "kn": "kN", "knm": "kNm", "KNm": "kNm", "KNM": "kNm",
+    "n": "N", "kn": "kN", "kip": "kip", "kips": "kip", "k": "kip", "lb": "lbf", "lbs": "lbf", "lbf": "lbf", "t": "tf",
+    "tf": "tf", "tonf": "tf", "kg": "kgf", "kgf": "kgf", "m": "m", "cm": "cm", "mm": "mm", "in": "in", "inch": "in",
+    "ft": "ft", "knm": "kNm", "kipft": "kip ft", "kipin": "kip in", "lbft": "lbf ft", "lbin": "lbf in", "tm": "tf m",
+    "tfm": "tf m", "tonfm": "tf m", "kgm": "kgf m", "kgfm": "kgf m", "kgfcm": "kgf cm",
 }  # fmt: skip
+#: What stands for units in a row of them below columns that have none.
+_NO_UNITS = ("text", "unitless", "none", "number", "string")
+#: What stands between the units of a column that has two.
+BOTH = "and below it"
 _BRACKETS = re.compile(r"[\[({]([^\[\](){}]{1,40})[\])}]")
 
 
@@ -128,6 +134,7 @@ def find_headings(grid: Grid, given: ReactionHeadings, single: str = "") -> Head
     names = [cell or (up if _role(up, ours) else "") for cell, up in zip(rows[top], above, strict=False)]
     named = {_role(cell, ours) for cell in names} & {"case", "support and case"}
     columns = tuple(_columns(names, upper, stated, ours, not (named or single)))
+    _require_places(columns, names, grid, top)
     headings = Headings(tuple(_preferred(columns, names, grid, first)), first)
     _require_headings(headings, grid, names, top)
     return headings if headings.of("F_z") and headings.of("support", "support and case") else None
@@ -135,8 +142,10 @@ def find_headings(grid: Grid, given: ReactionHeadings, single: str = "") -> Head
 
 def unit_of(text: str, dimension: str = "") -> str:
     """Return a unit of force, moment or length as it is written here, such as "kip ft" of "k-ft"; nothing if none."""
-    words = re.split(r"[\s·*.-]+", text.strip())
-    unit = " ".join(_UNITS.get(word, word) for word in words if word)
+    words = re.split(
+        r"[\s·*.-]+", re.sub(r"[A-Za-z]+", lambda word: _UNITS.get(word[0].lower(), word[0]), text.strip())
+    )
+    unit = " ".join(word for word in words if word)
     unit = re.sub(r"\b(k|M|)N m$", r"\1Nm", unit)
     for each in (dimension,) if dimension else ("force", "moment", "length", "force per length", "moment per length"):
         try:
@@ -160,7 +169,8 @@ def _role(text: str, ours: Mapping[Role, str]) -> Role | None:
     for role, name in ours.items():
         if text.strip() == name.strip() or plain == _plain(name):
             return role
-    return next((role for role, names in USUAL.items() if plain in names and role not in ours), None)
+    spelled = {plain, plain.removesuffix("s")}
+    return next((role for role, names in USUAL.items() if not spelled.isdisjoint(names) and role not in ours), None)
 
 
 def _fill(row: Sequence[str], width: int) -> list[str]:
@@ -173,7 +183,8 @@ def _fill(row: Sequence[str], width: int) -> list[str]:
 
 def _unit_row(row: Sequence[str]) -> dict[int, str]:
     """Return the units of a row that holds nothing else, by column."""
-    found = {column: unit_of(cell.strip("[](){} ")) for column, cell in enumerate(row) if cell.strip("[](){} -")}
+    said = {column: cell.strip("[](){} -") for column, cell in enumerate(row)}
+    found = {column: unit_of(each) for column, each in said.items() if each and each.lower() not in _NO_UNITS}
     return found if found and all(found.values()) else {}
 
 
@@ -202,13 +213,14 @@ def _columns(
 
 
 def _unit(role: Role, heading: str, above: str, stated: str) -> str:
-    """Return the unit of a column: that below the heading, in it or above it; also one per length."""
+    """Return the unit of a column: that below the heading, in it or above it, both if they differ; also per length."""
     dimension = DIMENSIONS.get(role)
     if dimension is None:
         return ""
     kinds = (dimension,) if dimension == "length" else (dimension, f"{dimension} per length")
     found = (_units_in(text, kind) for text in (heading, above) for kind in kinds)
-    return stated or next((unit for unit in found if unit), "")
+    own = next((unit for unit in found if unit), "")
+    return listed(dict.fromkeys([own, stated]), BOTH) if own and stated else own or stated
 
 
 def _without_unit(text: str) -> str:
@@ -242,9 +254,28 @@ def _preferred(columns: Sequence[Heading], row: Sequence[str], grid: Grid, first
             yield heading
 
 
+def _require_places(columns: Sequence[Heading], row: Sequence[str], grid: Grid, top: int) -> None:
+    """Raise InputError for two columns of one heading that differ, of coordinates or of horizontal forces."""
+    issues = []
+    for one, other in combinations((each for each in columns if each.role in ("x", "y", "F_x", "F_y")), 2):
+        same = one.role == other.role and _rank(one.role, row[one.column]) == _rank(other.role, row[other.column])
+        if same and any(a != b for a, b in _pairs(grid, top + 1, one.column, other.column)):
+            found = f"two columns with {one.role}: {listed([row[one.column], row[other.column]], 'and')}"
+            issues.append(Issue(f"{grid.name}, row {top + 1}", found, "one", "leave only the one that is meant"))
+    if issues:
+        raise InputError(issues)
+
+
+def _pairs(grid: Grid, first: int, one: int, other: int) -> Iterator[tuple[Cell, Cell]]:
+    """Yield the cells of two columns below headings."""
+    for row in grid.rows[first:]:
+        yield row[one] if one < len(row) else "", row[other] if other < len(row) else ""
+
+
 def _rank(role: Role, text: str) -> int:
     """Return the place of a heading among the usual ones; one that was given is the first."""
-    return USUAL[role].index(_plain(text)) if _plain(text) in USUAL[role] else -1
+    plain = _plain(text)
+    return next((USUAL[role].index(each) for each in (plain, plain.removesuffix("s")) if each in USUAL[role]), -1)
 
 
 def _has_numbers(grid: Grid, column: int, first: int) -> bool:
@@ -258,6 +289,9 @@ def _require_headings(headings: Headings, grid: Grid, row: Sequence[str], top: i
     issues = []
     for heading in headings.columns:
         where = f"{grid.name}, row {top + 1}, column {heading.column + 1}"
+        if f" {BOTH} " in heading.unit:
+            issues.append(Issue(where, f"{describe(row[heading.column])} in {heading.unit}", "one unit"))
+            continue
         dimension = DIMENSIONS.get(heading.role)
         kinds = (dimension,) if dimension in (None, "length") else (dimension, f"{dimension} per length")
         if heading.unit and dimension and not any(unit_of(heading.unit, kind or "") for kind in kinds):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from decimal import Decimal
@@ -231,7 +232,13 @@ def match_cases(table: ReactionTable, model: Model, reading: Reactions, new_case
         same = said.get(case) or _same_name(case, known)
         if case in reading.without_cases:
             continue
-        if same:
+        if case in table.unsigned and (same or case in new_cases):
+            found = (
+                f"load case {quote(case)} ({table.unsigned[case]}), whose values are the largest ones, without signs"
+            )
+            hint = "take forces of one direction that act together, such as equivalent static ones, or leave it out"
+            issues.append(Issue(table.name, found, "forces and moments that act together", hint))
+        elif same:
             names[case] = same
         elif case in new_cases:
             names[case] = case
@@ -245,6 +252,33 @@ def match_cases(table: ReactionTable, model: Model, reading: Reactions, new_case
     for case in (case for case in new_cases if case not in cases_of(table.reactions)):
         issues.append(Issue(table.name, f"no load case {quote(case)}", f"one of {listed(cases_of(table.reactions))}"))
     return MatchedCases(names, tuple(made), tuple(left), tuple(issues))
+
+
+def remarks_on_cases(
+    reactions: Sequence[Reaction], matched: MatchedCases, table: ReactionTable, model: Model
+) -> list[str]:
+    """Return what contradicts the actions of cases: their types in the table; no negative value of a seismic one."""
+    actions = {case.name: case.action for case in model.cases} | {case["name"]: case["action"] for case in matched.new}
+    values: dict[str, list[Decimal]] = {}
+    for each in reactions:
+        values.setdefault(each.case, []).extend(value for value in (each.F_z, each.M_x, each.M_y) if value)
+    remarks = []
+    for case, found in values.items():
+        action, said = actions[matched.names[case]], table.types.get(case, "")
+        kinds = {kind for word, kind in _TYPES.items() if re.search(word, said, re.IGNORECASE)}
+        if kinds and action not in kinds:
+            remarks.append(f"load case {quote(case)} has the type {describe(said)} in the table and is {action} here")
+        if action == "seismic" and len(found) > 1 and min(found) > 0:
+            why = "if they are of a response spectrum, they have no signs and are no load"
+            remarks.append(f"load case {quote(case)} is seismic and none of its values is negative: {why}")
+    return remarks
+
+
+#: Actions by words in the types of load cases.
+_TYPES: Mapping[str, Kind] = {
+    r"\bdead|permanent": "permanent", r"\blive|imposed|variable|wind|snow|temperature": "variable",
+    r"seismic|quake": "seismic", r"accidental": "accidental",
+}  # fmt: skip
 
 
 def _new_case(name: str, action: str, issues: list[Issue]) -> list[dict[str, str]]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from decimal import Decimal
 from pathlib import Path
@@ -20,6 +20,8 @@ from groundslab.schema.wording import describe, listed, quote
 _SUMS = re.compile(r"\s*(?:sum|total|check|precision|minimum|maximum|max|min|summe|somme|σ|Σ)\b", re.IGNORECASE)
 #: Kinds of cases that are combinations or envelopes of others, by the column that says so or by their usual names.
 _COMBINED = re.compile(r".*comb|.*envelope|.*spec(?:trum)?\b", re.IGNORECASE)
+#: Of these kinds of cases each value is the largest of its own: it has no sign, and no others that act with it.
+_UNSIGNED = re.compile(r".*(?:envelope|spec(?:trum|tra)?\b|mod(?:al)?hist|time ?hist)", re.IGNORECASE)
 _COMBINED_NAME = re.compile(
     r"(?:comb\w*|envelope|env|uls|sls|gzt|gzg|co|rc|lk|ek)[\s_:.-]*[0-9]*(?:[\s_:.-].*)?", re.IGNORECASE
 )
@@ -67,6 +69,10 @@ class ReactionTable:
         In the order of the file.
     combined : frozenset of str
         Cases that are combinations or envelopes of others, which are not loads.
+    unsigned : mapping of str to str
+        Of cases with largest values, as of response spectra and envelopes, what says so.
+    types : mapping of str to str
+        What the table says of the type of cases, by their names.
     force, moment, length : str
         The units as they are written here; of what the table does not have, nothing.
     per : str
@@ -79,6 +85,8 @@ class ReactionTable:
 
     reactions: tuple[Reaction, ...]
     combined: frozenset[str]
+    unsigned: Mapping[str, str]
+    types: Mapping[str, str]
     force: str
     moment: str
     length: str
@@ -126,7 +134,7 @@ def read_table(path: str | Path, reading: Reactions) -> ReactionTable:
 
 def _read(grid: Grid, headings: Headings, reading: Reactions) -> ReactionTable:
     """Return the reactions below headings."""
-    used = _units(grid, headings, reading)
+    used, remarks = _units(grid, headings, reading)
     body = [(number, row) for number, row in enumerate(grid.rows, start=1) if number > headings.first and any(row)]
     numeric = [heading.column for heading in headings.columns if heading.role in DIMENSIONS]
     cells = (row[column] for _, row in body for column in numeric if column < len(row))
@@ -140,9 +148,12 @@ def _read(grid: Grid, headings: Headings, reading: Reactions) -> ReactionTable:
         raise InputError(reader.issues[:MOST_ISSUES])
     if not reactions:
         raise InputError([Issue(grid.name, "headings without reactions below", "at least one")])
-    remarks = [f"rows {_numbers(reader.passed)} are sums or have no support, and are left out"] if reader.passed else []
+    if reader.passed:
+        remarks.append(f"rows {_numbers(reader.passed)} are sums or have no support, and are left out")
     combined = frozenset(reader.combined)
-    return ReactionTable(reactions, combined, *used, grid.name, grid.sheet, tuple(remarks))
+    return ReactionTable(
+        reactions, combined, reader.unsigned, reader.types, *used, grid.name, grid.sheet, tuple(remarks)
+    )
 
 
 def _numbers(rows: Sequence[int]) -> str:
@@ -150,9 +161,12 @@ def _numbers(rows: Sequence[int]) -> str:
     return ", ".join(map(str, rows[:10])) + (f" and {len(rows) - 10} more" if len(rows) > 10 else "")
 
 
-def _units(grid: Grid, headings: Headings, reading: Reactions) -> tuple[str, str, str, str]:
-    """Return the units of forces, moments and coordinates, of the table or given, and of what length they are per."""
-    found, issues = [], []
+def _units(grid: Grid, headings: Headings, reading: Reactions) -> tuple[tuple[str, str, str, str], list[str]]:
+    """Return the units of forces, moments and coordinates, of the table or given, and of what length they are per.
+
+    Also remarks on units that differ from what was given or from each other.
+    """
+    found, issues, remarks = list[str](), list[Issue](), list[str]()
     for dimension, given in (("force", reading.force), ("moment", reading.moment), ("length", reading.length)):
         own = [each for each in headings.columns if DIMENSIONS.get(each.role) == dimension]
         if dimension == "force":
@@ -164,6 +178,8 @@ def _units(grid: Grid, headings: Headings, reading: Reactions) -> tuple[str, str
             expected = f"units in the headings or below them, such as {headings_example(dimension)}"
             issues.append(Issue(grid.name, f"no unit of {dimension}s", expected, f'give it: {dimension} = "..."'))
         found.append((stated or [_given(given, dimension)])[0] if own else "")
+        if stated and given and _given(given, dimension) != stated[0]:
+            remarks.append(f"{dimension}s are in {stated[0]}, as the table says, not in {given}")
     force, per = _split_unit(found[0], "force")
     moment, of_moment = _split_unit(found[1], "moment")
     if moment and per != of_moment:
@@ -171,7 +187,10 @@ def _units(grid: Grid, headings: Headings, reading: Reactions) -> tuple[str, str
         issues.append(Issue(grid.name, found_units, "both per length of line supports, or both resultants"))
     if issues:
         raise InputError(issues)
-    return force, moment, found[2], per
+    systems = [unit for unit in (force, moment) if unit]
+    if len(systems) == 2 and force not in moment.replace("kNm", "kN m").replace("Nm", "N m").split():
+        remarks.append(f"forces are in {force} and moments in {moment}")
+    return (force, moment, found[2], per), remarks
 
 
 def _split_unit(unit: str, dimension: str) -> tuple[str, str]:
@@ -199,6 +218,8 @@ class _RowReader:
         self.issues: list[Issue] = []
         self.passed: list[int] = []
         self.combined: set[str] = set()
+        self.unsigned: dict[str, str] = {}
+        self.types: dict[str, str] = {}
         self._support = ""
         self._columns = {heading.role: heading.column for heading in headings.columns}
         self._values = headings.of(*BY_CASE)
@@ -224,7 +245,7 @@ class _RowReader:
             numbers = {heading.role: self._number(number, row, heading.column) for heading in columns}
             if "F_z" not in numbers or not (name or filled):
                 self._refuse(number, f"no vertical force of {quote(whole)}", "a number")
-            self._note_combined(row, whole)
+            self._note_combined(number, row, whole)
             yield Reaction(number, support, whole, place, numbers.pop("F_z", ZERO), **numbers)
 
     def _names(self, row: Sequence[Cell]) -> tuple[str, str]:
@@ -257,12 +278,16 @@ class _RowReader:
         where = f"{self.name}, row {number}" + ("" if column is None else f", column {column + 1}")
         self.issues.append(Issue(where, found, expected, hint))
 
-    def _note_combined(self, row: Sequence[Cell], case: str) -> None:
-        kind = str(self._cell(row, "type"))
+    def _note_combined(self, number: int, row: Sequence[Cell], case: str) -> None:
+        kind, step = (str(self._cell(row, role)).strip() for role in ("type", "step"))
+        self.types.setdefault(case, kind)
         # envelopes have a step, the largest or the smallest value, of each of which the others are unknown
-        stepped = str(self._cell(row, "step")).strip().lower() in ("max", "min")
+        stepped = step.lower() in ("max", "min")
         if stepped or _COMBINED.match(kind) or (not kind and _COMBINED_NAME.fullmatch(case)):
             self.combined.add(case)
+        if stepped or _UNSIGNED.match(kind):
+            said = " ".join(describe(each) for each in (kind, step) if each)
+            self.unsigned.setdefault(case, f"row {number}, {said}")
 
     def _cell(self, row: Sequence[Cell], role: Role) -> Cell:
         column = self._columns.get(role, len(row))

@@ -161,6 +161,60 @@ def test_load_cases_are_not_guessed(tmp_path: Path) -> None:
         imported(tmp_path, text, **given | {"new_cases": {"Live": "C", "Snow": "snow"}})
 
 
+UNITS_ROW = """TABLE:  Joint Reactions
+Joint\tOutputCase\tCaseType\tStepType\tF1\tF2\tF3\tM1\tM2\tM3
+Text\tText\tText\tText\tkN\tkN\tkN\tkN-m\tkN-m\tkN-m
+A\tG\tLinStatic\t\t0.5\t0\t25.0\t0\t3.2\t0
+A\tSX\tLinRespSpec\tMax\t1.2\t0\t6.0\t0\t5.0\t0
+A\tENVOL\tCombination\tMax\t1.2\t0\t30.0\t0\t5.0\t0
+"""
+
+
+@pytest.mark.parametrize("given", [{"new_cases": {"SX": "seismic"}}, {"cases": {"SX": "Q"}}])
+def test_values_without_signs_are_no_load(given: dict[str, Any], tmp_path: Path) -> None:
+    """Neither as a new case nor as one that is there: the largest values of a response spectrum do not act together."""
+    with pytest.raises(InputError, match=r'"SX".*LinRespSpec.*without signs'):
+        imported(tmp_path, UNITS_ROW, **given)
+    left = imported(tmp_path, UNITS_ROW.replace("ENVOL\tCombination\tMax", "COMB1\tCombination\t"))
+    assert points(left) == {("A", "G"): (25, -3.2, 0)}
+    said = "\n".join(left.remarks)
+    assert 'cases of largest values without signs are left out: SX (row 5, "LinRespSpec" "Max")' in said
+    assert "combinations are left out, as only load cases are loads: COMB1" in said
+
+
+def test_an_envelope_is_no_load_either(tmp_path: Path) -> None:
+    """Also if it has the name of a load case, or its largest values alone are in the table."""
+    with pytest.raises(InputError, match=r'"ENVOL".*"Max"'):
+        imported(tmp_path, UNITS_ROW, new_cases={"ENVOL": "variable"})
+    with pytest.raises(InputError, match=r'"Q".*"Max"'):
+        imported(tmp_path, UNITS_ROW.replace("ENVOL\tCombination", "Q\tLinStatic"))
+
+
+def test_what_contradicts_the_action_of_a_case_is_said(tmp_path: Path) -> None:
+    """A type of the table, and a seismic case without a negative value; neither where they agree."""
+    text = "Node,Case,Load type,Fz [kN],Mx [kNm]\nA,G,Live,10,1\nA,EX,Quake,5,2\nB,EX,Quake,6,2\n"
+    said = "\n".join(imported(tmp_path, text, new_cases={"EX": "seismic"}).remarks)
+    assert 'load case "G" has the type "Live" in the table and is permanent here' in said
+    assert 'load case "EX" is seismic and none of its values is negative' in said
+    right = text.replace("Live", "Dead").replace("B,EX,Quake,6", "B,EX,Quake,-6")
+    assert imported(tmp_path, right, new_cases={"EX": "seismic"}).remarks[1:] == ()
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("Node,Case,Fz [kN],Mx [kip ft]\nA,G,10,1\n", "forces are in kN and moments in kip ft"),
+        ("Node,Case,Fz [kN],Mx [kNm]\nA,G,10,1\n", ""),
+    ],
+)
+def test_units_that_contradict_are_remarks(text: str, said: str, tmp_path: Path) -> None:
+    """Forces and moments of two systems; a unit that was given and another one in the table."""
+    assert said in "\n".join(imported(tmp_path, text).remarks)
+    assert ("forces are in kN and" in "\n".join(imported(tmp_path, text).remarks)) == bool(said)
+    given = imported(tmp_path, text, force="kip")
+    assert "forces are in kN, as the table says, not in kip" in given.remarks
+
+
 def test_two_rows_of_a_support_are_refused(tmp_path: Path) -> None:
     """As of several stories or steps, of which one alone stands on the slab."""
     with pytest.raises(InputError, match="as in row 2"):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import random
 import time
 import zipfile
 from decimal import Decimal
@@ -9,6 +10,7 @@ from pathlib import Path
 
 import pytest
 
+from groundslab import units
 from groundslab.case.numbers import find_decimals, format_number, parse_number
 from groundslab.case.reactions import cells
 from groundslab.case.reactions.headings import unit_of
@@ -288,3 +290,74 @@ def test_very_many_cells_are_refused(tmp_path: Path, monkeypatch: pytest.MonkeyP
     path = write_workbook(tmp_path / "many.xlsx", {"Reactions": rows, "More": rows})
     with pytest.raises(InputError, match="more than 10 cells"):
         read_table(path, Reactions())
+
+
+@pytest.mark.parametrize(
+    ("force", "moment", "read"),
+    [
+        ("kN", "kN-m", ("kN", "kNm")), ("KN", "KN-m", ("kN", "kNm")), ("Tonf", "Tonf-m", ("tf", "tf m")),
+        ("TONF", "TONF·M", ("tf", "tf m")), ("tonf", "tonf m", ("tf", "tf m")), ("Kip", "Kip-ft", ("kip", "kip ft")),
+        ("KIPS", "kip-FT", ("kip", "kip ft")), ("Kgf", "Kgf-cm", ("kgf", "kgf cm")), ("KGF", "kgf.m", ("kgf", "kgf m")),
+        ("Lb", "lb-in", ("lbf", "lbf in")), ("N", "N-mm", ("N", "N mm")), ("MN", "MNm", ("MN", "MNm")),
+        ("kn", "KNM", ("kN", "kNm")),
+    ],
+)  # fmt: skip
+def test_units_in_any_case_of_letters(force: str, moment: str, read: tuple[str, str], tmp_path: Path) -> None:
+    """In a row below the headings that says of the others that they are text, in brackets, and as they are given."""
+    row = f"Joint,OutputCase,F3,M1\nText,Text,{force},{moment}\nA,G,25,3\n"
+    in_brackets = f"Joint,OutputCase,F3 ({force}),M1 [{moment}]\nA,G,25,3\n"
+    for text in (row, in_brackets):
+        table = read_table(write_table(tmp_path, text), Reactions())
+        assert (table.force, table.moment, len(table.reactions)) == (*read, 1)
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("Node,Case,Fz [kN]\n,,kip\nA,G,1\n", r'"Fz \[kN\]" in kN and below it kip'),
+        ("Node,Case,x [m],x [m],y [m],Fz [kN]\nA,G,1,2,0,5\n", r"two columns with x: x \[m\] and x \[m\]"),
+        ("Node,Case,Fx,Fx,Fz\n,,kN,kN,kN\nA,G,1,2,5\n", "two columns with F_x"),
+        ("Node,Case,Fz,Fz\n,,kN,kN\nA,G,1,2\n", "two columns with F_z"),
+    ],
+)
+def test_what_headings_say_twice_is_refused(text: str, said: str, tmp_path: Path) -> None:
+    """A unit in the heading and another one below it, two columns of one heading."""
+    with pytest.raises(InputError, match=said):
+        read_table(write_table(tmp_path, text), Reactions())
+
+
+@pytest.mark.parametrize("seed", range(40))
+def test_headings_and_units_spelled_in_other_ways(seed: int, tmp_path: Path) -> None:
+    """Capitals, spaces, signs, brackets and plurals: always A with 25 kN and 3 kNm in G."""
+    chance = random.Random(seed)
+    words = {
+        "support": ("joint", "support", "column", "unique name", "node"), "case": ("output case", "load case", "LC"),
+        "F": ("Fz", "F3", "Global FZ", "Pz"), "M": ("Mx", "M1", "Global MX"),
+    }  # fmt: skip
+    names = {key: chance.choice(spellings) for key, spellings in words.items()}
+    for key in ("support", "case"):
+        names[key] += chance.choice(("", "s"))
+    for key, name in names.items():
+        spaced = name.replace(" ", chance.choice((" ", "", "_", "-")))
+        names[key] = chance.choice((str.upper, str.lower, str.title, str))(spaced)
+    force = chance.choice(("kN", "KN", "kn", "Kn"))
+    moment = force + chance.choice(("m", "-m", " m", "·m", "-M", " M", "*m"))
+    pad, (left, right) = chance.choice(("", " ")), chance.choice(("[]", "()", "{}"))
+    below = ""
+    if chance.random() < 0.5:
+        names["F"] += f"{pad}{left}{force}{right}"
+        names["M"] += f" {left}{moment}{right}"
+    else:
+        none = chance.choice(("", "Text", "text", "-", "Unitless"))
+        below = f"{none};{none};{left}{force}{right};{moment}\n"
+    table = read_table(write_table(tmp_path, f"{';'.join(names.values())}\n{below}A;G;25;3\n"), Reactions())
+    (one,) = table.reactions
+    assert (one.support, one.case, one.F_z, one.M_x) == ("A", "G", 25, 3)
+    assert units.parse(f"1 {table.force}", "force") == 1e3
+    assert units.parse(f"1 {table.moment}", "moment") == 1e3
+
+
+def test_columns_of_one_heading_that_agree_are_one(tmp_path: Path) -> None:
+    """As a table of places that was joined to one of forces."""
+    text = "Node,Case,x [m],x [m],y [m],Fz [kN]\nA,G,1,1,0,5\n"
+    assert read_table(write_table(tmp_path, text), Reactions()).reactions[0].place == (1, 0)
