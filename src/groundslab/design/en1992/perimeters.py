@@ -11,8 +11,10 @@ It is the clause's at s = 0, grows by 2 s, and is the whole periphery where 2 s 
 nothing jumps. What lies between the tangents to openings does not count (6.4.2(3)).
 
 The clause has no perimeter partly in a thinner slab, of depth d_t, such as one that leaves a thicker zone. There a
-length counts by what the slab resists, v_Rd,c max(1, 2 d_t / a) d_t, over that at the column, v_Rd,c (2 d / a) d.
-v_Rd,c is not less in a thinner slab with the same bars, and its growth is left out.
+length counts by what the slab resists, v_Rd,c max(1, 2 d_t / a_t) d_t, over that at the column, v_Rd,c (2 d / a) d, and
+no more than there. a_t is how far the perimeter lies from the thicker slab, which loads the thinner one as 6.4.2(8) to
+(11) say of column heads; no more than a less the least distance of the thinner slab. v_Rd,c is not less in a thinner
+slab with the same bars, and its growth is left out.
 """
 
 from __future__ import annotations
@@ -30,9 +32,12 @@ from groundslab.design.demands.perimeters import (
     stretch,
     way_around,
 )
+from groundslab.design.demands.zones.thinner_slab import ThinnerPart
 
 #: An opening counts up to this distance from the column, in effective depths (6.4.2(3)).
 OPENING_REACH = 6.0
+#: Distances from thicker slab [m] are not less.
+ROUNDING = 1e-9
 #: At a face an edge or the two edges of a corner are near, no more.
 CORNER_EDGES = 2
 #: Two edges meet in a corner if the cosine of the angle between them is less than this.
@@ -44,13 +49,14 @@ def openings(d: float) -> Openings:
     return Openings(OPENING_REACH * d, widened=True)
 
 
-def share_of_thinner(by: float, a: float, d: float) -> float:
-    """Return the share of a perimeter's length that counts in slab thinner by some [m], at a from the face [m].
+def share_of_thinner(part: ThinnerPart, a: float, d: float) -> float:
+    """Return the share of a perimeter's length that counts in a thinner part, at a from the face [m].
 
-    d is the effective depth at the column [m]. It is max(a, 2 d_t) d_t / (2 d^2), d_t = d - by, by 6.4.4(2).
+    d is the effective depth at the column [m]. It is max(1, 2 d_t / a_t) a d_t / (2 d^2) by 6.4.4(2), at most 1.
     """
-    d_t = max(0.0, d - by)
-    return max(a, 2 * d_t) * d_t / (2 * d**2)
+    d_t = max(0.0, d - part.by)
+    beyond = max(a - part.away, ROUNDING)
+    return min(1.0, max(1.0, 2 * d_t / beyond) * a * d_t / (2 * d**2))
 
 
 def face_length(around: Surroundings, d: float) -> float:

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from shapely import box
 
 import groundslab as gs
 from groundslab.design.aci318.checks import two_way, two_way_steps
@@ -16,8 +17,10 @@ from groundslab.design.aci318.checks.two_way_demand import zone_two_way
 from groundslab.design.basis.check import DesignCheck
 from groundslab.design.checks import pulling
 from groundslab.design.demands.zones.thicker_zones import zone_forces
+from groundslab.design.demands.zones.thinner_slab import ThinnerPart
 from groundslab.design.en1992.checks import punching, punching_steps
 from groundslab.design.en1992.checks.governing_perimeters import demands, zone_demands
+from groundslab.design.en1992.perimeters import share_of_thinner
 from groundslab.design.en1992_2023.checks import punching as second_generation
 from groundslab.design.en1992_2023.checks import punching_steps as second_generation_steps
 from groundslab.design.en1992_2023.checks.punching_demand import column_demands
@@ -237,18 +240,43 @@ def test_a_zone_at_an_edge_has_a_perimeter_with_two_ends() -> None:
     assert corner.u == pytest.approx(2 * SIDE + math.pi * D, **CHORDS)
 
 
-def test_a_perimeter_that_leaves_its_zone_counts_by_the_slab_there() -> None:
-    """At 2 d all of it is outside: its resistance is v_Rd,c of the column times the slab's depth and its length."""
+def test_a_column_on_a_zone_is_judged_within_it() -> None:
+    """The zone's corner is 0.922 m from the column's: perimeters farther out are in the slab around, and the zone's.
+
+    Up to there what is beyond the zone counts in full: 2 d_t / (a - 0.6) a d_t / (2 d^2) is more than 1.
+    """
     combined = results(zone((-0.8, 0.8), (-0.9, 0.9)))
+    d, last = 0.8 - 0.045, math.hypot(0.6, 0.7)
+    demand = demands(combined).found["ULS", "C1"]
+    assert demand.at_2d is None
+    assert last - 0.02 < demand.around[-1].distance < last
+    distances = [float(a) for a in np.linspace(0.25 * d, demand.around[-1].distance, 200)]
+    used = []
+    for a in distances:
+        u, area = around(a, 0.4)
+        used.append((3e6 - PRESSURE * area) / (u * d) / (1e6 * v_rd_c(d) * 2 * d / a))
+    check = named(punching.checks(combined), "punching within 2 d")
+    assert (check.of, check.utilisation) == ("C1", pytest.approx(max(used), rel=1e-3))
+
+
+def test_a_perimeter_beyond_a_step_counts_by_the_slab_there() -> None:
+    """The slab is thinner from 0.2 m beyond the column on; at 2 d a_t = 1.31 m is beyond 2 d_t: w = a d_t / (2 d^2)."""
+    combined = results(zone((-0.4, 9), (-9, 9)))
     d = 0.8 - 0.045
+    a = 2 * d
+    assert not zone_forces(combined)
     far = demands(combined).found["ULS", "C1"].at_2d
     assert far is not None
-    u, area = around(2 * d, 0.4)
-    # w = max(a, 2 d_t) d_t / (2 d^2) with a = 2 d, so that w u d = u d_t
-    assert far.u == pytest.approx(u * D / d, **CHORDS)
-    assert far.v_Ed == pytest.approx((3e6 - PRESSURE * area) / (u * D), **CHORDS)
+    beyond = 0.4 + 2 * a * (math.pi / 2 - math.asin(0.2 / a))
+    w = a * D / (2 * d**2)
+    u, area = around(a, 0.4)
+    assert far.u == pytest.approx(u - (1 - w) * beyond, **CHORDS)
+    assert far.v_Ed == pytest.approx(far.beta * (3e6 - PRESSURE * area) / (far.u * d), **CHORDS)
     assert far.control is not None
     assert far.control.thinned
+    part = ThinnerPart(d - D, 0.2, box(-9, -9, -0.4, 9))
+    for distance, share in ((0.21, 1.0), (1.0, 2 * D / 0.8 * D / (2 * d**2)), (a, w)):
+        assert share_of_thinner(part, distance, d) == pytest.approx(share)
 
 
 def test_critical_sections_that_leave_their_zone_count_by_the_depth() -> None:

@@ -100,7 +100,7 @@ def test_legs_in_thinner_slab_count_in_part() -> None:
     """Length, center and moduli are those of legs with weights, and legs elsewhere stay as they are."""
     corners = np.array([(-1, -1), (1, -1), (1, 1), (-1, 1), (-1, -1)], dtype=float)
     legs = np.stack([corners[:-1], corners[1:]], axis=1)
-    parts = (ThinnerPart(0.2, box(0.5, -2, 2, 2)), ThinnerPart(0.3, box(-2, -2, -1.5, 2)))
+    parts = (ThinnerPart(0.2, 0.0, box(0.5, -2, 2, 2)), ThinnerPart(0.3, 0.0, box(-2, -2, -1.5, 2)))
     kept = counted(legs, parts, depth_share, 1.0, 0.5)
     w = 0.6
     total = 2 + 2 * 1.5 + w * (2 * 0.5 + 2)

@@ -28,22 +28,24 @@ DASH = 0.1
 #: Thicknesses that differ by a smaller share are the same.
 SAME = 1e-9
 
-#: Of how much thinner the slab is [m], a perimeter's distance [m] and the effective depth where it starts [m]: the
-#: share of a length that counts there.
-Share = Callable[[float, float, float], float]
-
 
 @dataclass(frozen=True, slots=True)
 class ThinnerPart:
     """A part of the plate that is thinner than where perimeters start."""
 
     by: float  # [m]
+    away: float  # its least distance from where they start [m]
     region: Polygon | MultiPolygon
 
 
-def depth_share(by: float, _: float, d: float) -> float:
+#: Of a part, a perimeter's distance [m] and the effective depth where it starts [m]: the share of a length that counts
+#: in the part.
+Share = Callable[[ThinnerPart, float, float], float]
+
+
+def depth_share(part: ThinnerPart, _: float, d: float) -> float:
     """Return the share of a length that counts by its effective depth alone."""
-    return max(0.0, 1 - by / d)
+    return max(0.0, 1 - part.by / d)
 
 
 def thinner_parts(
@@ -56,10 +58,14 @@ def thinner_parts(
     mesh = Mesh(plate.nodes, plate.elements)
     near = load_vectors.find_elements_near(mesh, footprint.buffer(CORNER_REACH * reach))
     there = elements.thickness[near]
-    return tuple(
-        ThinnerPart(float(thickness - level), area_of(plate.nodes, plate.elements[near[there == level]]))
+    regions = {
+        level: area_of(plate.nodes, plate.elements[near[there == level]])
         for level in np.unique(there)
         if level < (1 - SAME) * thickness
+    }
+    return tuple(
+        ThinnerPart(float(thickness - level), float(footprint.distance(region)), region)
+        for level, region in regions.items()
     )
 
 
@@ -70,7 +76,7 @@ def counted(legs: Array, parts: Sequence[ThinnerPart], share: Share, distance: f
     for part in parts:
         thinner = directed(legs, intersection(linestrings(legs), part.region))
         if len(thinner):
-            dashes = _dashes(thinner, share(part.by, distance, d), DASH * d)
+            dashes = _dashes(thinner, share(part, distance, d), DASH * d)
             legs = np.concatenate([outside(legs, part.region), dashes])
     return legs
 
@@ -81,7 +87,7 @@ def shares_at(places: Array, distance: float, parts: Sequence[ThinnerPart], shar
 
     shares = np.ones(len(places))
     for part in parts:
-        shares[contains_xy(part.region, *places.T)] = share(part.by, distance, d)
+        shares[contains_xy(part.region, *places.T)] = share(part, distance, d)
     return shares
 
 

@@ -23,7 +23,7 @@ from groundslab.design.demands import line_properties, perimeter_loads
 from groundslab.design.demands.line_properties import Course
 from groundslab.design.demands.perimeter_loads import LoadsNear, PerimeterLoads, PunchingForce
 from groundslab.design.demands.perimeters import Perimeter, SketchedPerimeter, Surroundings, perimeter_at, surroundings
-from groundslab.design.demands.zones.thicker_zones import zone_forces
+from groundslab.design.demands.zones.thicker_zones import ZoneForce, zone_forces
 from groundslab.design.demands.zones.thinner_slab import ThinnerPart, counted, thinner_parts
 from groundslab.design.en1992 import punching as en1992
 from groundslab.design.en1992.case_materials import materials
@@ -55,7 +55,9 @@ NO_ECCENTRICITY = 1e-9
 @made_once
 def demands(combined: Results) -> Demands:
     """Return the demands of punching in all ultimate combinations, if bars are given; at columns that push down."""
-    return _demands(combined, perimeter_loads.punching_columns(combined.model))
+    around = {name for (_, name), demand in zone_demands(combined).found.items() if demand.around}
+    zones = tuple(zone for zone in zone_forces(combined) if zone.name in around)
+    return _demands(combined, perimeter_loads.punching_columns(combined.model), zones)
 
 
 @made_once
@@ -64,8 +66,8 @@ def pile_demands(combined: Results) -> Demands:
     return _demands(combined, perimeter_loads.punching_piles(combined.model))
 
 
-def _demands(combined: Results, forces: tuple[PunchingForce, ...]) -> Demands:
-    """Return the demands of forces that punch the plate."""
+def _demands(combined: Results, forces: tuple[PunchingForce, ...], zones: tuple[ZoneForce, ...] = ()) -> Demands:
+    """Return the demands of forces that punch the plate; zones with demands of their own take over beyond them."""
     model, steel = combined.model, combined.model.reinforcement
     results = ultimate_results(combined)
     governing: dict[tuple[str, str], Demand] = {}
@@ -73,7 +75,7 @@ def _demands(combined: Results, forces: tuple[PunchingForce, ...]) -> Demands:
     reach: dict[str, float] = {}
     if steel is None:
         return Demands(governing, missing, {punching.name: punching.place for punching in forces}, reach)
-    make = partial(_site, steel=steel)
+    make = partial(_site, steel=steel, zones=zones)
     for punching, site, pushing in perimeter_loads.pushing_forces(results, forces, model, (_SITES, make)):
         of_combinations, why = _largest(pushing, site)
         if why and not (punching.at_zone and any(demand.around for demand in of_combinations)):
@@ -104,6 +106,7 @@ class _Site:
     thinner: tuple[ThinnerPart, ...]  # parts of the plate that perimeters may reach
     u_0: float  # [m]
     why: str  # it does not lie on the plate; else empty
+    zone: ZoneForce | None = None  # on which it stands, and whose perimeters are judged
     lines: dict[float, Perimeter | str] = field(default_factory=dict)
     controls: dict[float, ControlPerimeter | str] = field(default_factory=dict)
 
@@ -120,7 +123,19 @@ class _Site:
             line = perimeter_at(self.around, distance)
         except InputError as error:
             return str(error)
-        return CUT if distance > 0 and line_properties.shape_of(line.whole) == "cut" else line
+        if distance > 0 and line_properties.shape_of(line.whole) == "cut":
+            return CUT
+        return BEYOND if self._leaves_zone(line, distance) else line
+
+    def _leaves_zone(self, line: Perimeter, distance: float) -> bool:
+        """Return whether a perimeter, but for the first one, lies wholly outside of the zone."""
+        from shapely import MultiLineString
+
+        if self.zone is None or distance <= STEPS[0] * self.d:
+            return False
+        return bool(
+            MultiLineString(list(line.legs)).intersection(self.zone.footprint.region).length < SAME_DISTANCE * self.d
+        )
 
     def control(self, results: CombinationResult, distance: float) -> ControlPerimeter | str:
         """Return the perimeter at a distance [m] from the face with what is inside, or why there is none."""
@@ -149,12 +164,17 @@ class _Site:
 #: Why there is no perimeter at some distance.
 CUT = "its control perimeters cut the slab from edge to edge, which is one-way shear"
 
+#: Why a perimeter is none of a column on a thicker zone.
+BEYOND = "the perimeters around its zone are judged instead"
+
 #: Those of the columns and piles of a model, by its mesh.
 _SITES: Memo[dict[tuple[bool, str], _Site]] = Memo()
 
 
-def _site(results: CombinationResult, punching: PunchingForce, steel: Reinforcement) -> _Site:
-    """Return a column or pile on its plate."""
+def _site(
+    results: CombinationResult, punching: PunchingForce, steel: Reinforcement, zones: tuple[ZoneForce, ...]
+) -> _Site:
+    """Return a column or pile on its plate, which may be on one of the thicker zones."""
     plate, footprint, model = plate_under(results, *punching.place), punching.footprint, results.model
     d = punching.depth(results, steel)
     ratio = _ratio(model, punching, steel, d)
@@ -164,7 +184,9 @@ def _site(results: CombinationResult, punching: PunchingForce, steel: Reinforcem
         return _Site(punching, steel, ratio, d, None, None, (), 0.0, str(error))
     near = perimeter_loads.loads_near(results, punching, REACH * d)
     thinner = thinner_parts(results, around.footprint, punching.thickness(results), REACH * d)
-    return _Site(punching, steel, ratio, d, around, near, thinner, face_length(around, d), "")
+    on = [zone for zone in zones if set(punching.columns) & set(zone.columns)]
+    zone = min(on, key=lambda each: each.footprint.region.area, default=None)
+    return _Site(punching, steel, ratio, d, around, near, thinner, face_length(around, d), "", zone)
 
 
 def _ratio(model: Model, punching: PunchingForce, steel: Reinforcement, d: float) -> float:
