@@ -46,6 +46,8 @@ from groundslab.model.varying_ground import Borehole
 Factors = Mapping[str, Callable[[Array, Array], Array]]
 #: Homogeneous parts of a layer of a continuum whose modulus varies.
 GRADED_PARTS = 16
+#: A layer of no thickness is so thin, of its column's depth: a settlement between its surfaces needs some.
+PINCHED = 1e-8
 #: A Poisson's ratio this close to zero is zero but for the rounding of its interpolation.
 ROUNDING = 1e-12
 
@@ -181,8 +183,11 @@ def _make_ground(ground: AnyGround, table: Array) -> Soil | Column:
 
 
 def _layers(table: Array) -> list[Layer]:
-    """Return the layers of a table (..., L, 5)."""
-    return [Layer(h, (c0, c1, c2), nu) for h, c0, c1, c2, nu in np.moveaxis(table, (-2, -1), (0, 1))]
+    """Return the layers of a table (..., L, 5); one that pinches out keeps PINCHED of its column's depth."""
+    thickness = table[..., 0]
+    thickness = np.maximum(thickness, PINCHED * thickness.sum(axis=-1, keepdims=True))
+    values = zip(np.moveaxis(thickness, -1, 0), np.moveaxis(table[..., 1:], (-2, -1), (0, 1)), strict=True)
+    return [Layer(h, (c0, c1, c2), nu) for h, (c0, c1, c2, nu) in values]
 
 
 def sublayers(ground: Layered, layers: tuple[Layer, ...]) -> list[Layer]:

@@ -103,7 +103,16 @@ class SoilLayer(Section):
     ] = None
     variation: Annotated[Variation, Choice(Variation, "how the modulus varies from E to E_bottom")] = "linear"
     nu: Annotated[float, Number("nu", "Poisson's ratio", POISSON)]
-    thickness: Annotated[float, Quantity("length", "h", "thickness", Range(above=0, at_most=10_000), example="3 m")]
+    thickness: Annotated[
+        float,
+        Quantity(
+            "length",
+            "h",
+            "thickness",
+            Range(at_least=0, at_most=10_000),
+            example="3 m",
+        ),
+    ]
     sublayers: Annotated[int, Integer("number of equal sublayers, for consistent coupling only", at_most=100)] = 1
 
 
@@ -123,6 +132,9 @@ def _check_sublayers(
         if coupling != "consistent" and isinstance(layer, SoilLayer) and layer.sublayers != 1:
             expected = 'no sublayers, which only a layered ground with coupling = "consistent" has'
             yield RelativeIssue(("layers", position, "sublayers"), str(layer.sublayers), expected)
+        if isinstance(layer, SoilLayer) and not layer.thickness:
+            hint = "leave out a layer that is nowhere; at a borehole where it is missing it has 0 m"
+            yield RelativeIssue(("layers", position, "thickness"), "0 m", "more than 0 m", hint)
 
 
 def _check_vlasov_sublayers(layers: tuple[SoilLayer, ...]) -> Iterator[RelativeIssue]:

@@ -45,8 +45,15 @@ class SoilZone(Section):
     ground: Annotated[Ground, Table("the ground there, of the same kind and with as many layers")]
 
 
+def _check_depth(layers: tuple[SoilLayer, ...]) -> Iterator[RelativeIssue]:
+    if layers and not any(layer.thickness for layer in layers):
+        yield RelativeIssue(("layers",), "layers of 0 m", "at least one that is thicker")
+
+
 class Borehole(Section):
     """A place where the layers are known; between boreholes they are interpolated."""
+
+    checks: ClassVar[tuple[Check, ...]] = (_check_depth,)
 
     name: Annotated[str, Text("name of the borehole, for reference")] = ""
     x: Annotated[float, coordinate(0, "position, on or off the plate")]
@@ -54,7 +61,7 @@ class Borehole(Section):
     layers: Annotated[
         tuple[SoilLayer, ...],
         Table("the layers there, from the top downwards, as many as the ground has; their thickness, E, E_bottom and "
-              "nu are interpolated"),
+              "nu are interpolated; one that is missing there, as it pinches out, has a thickness of 0 m"),
     ]  # fmt: skip
 
 
@@ -130,7 +137,7 @@ def check_boreholes(
         if len(hole.layers) != len(layers):
             found = f"{len(hole.layers)} layers"
             expected = f"{len(layers)}, as many as the ground has"
-            hint = "a layer that is missing there has a small thickness"
+            hint = "a layer that is missing there has a thickness of 0 m"
             yield RelativeIssue(("boreholes", position, "layers"), found, expected, hint)
         for number, (layer, wanted) in enumerate(zip(hole.layers, layers, strict=False)):
             assert isinstance(wanted, SoilLayer)

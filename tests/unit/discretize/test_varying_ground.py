@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from groundslab.analysis.driver import solve
 from groundslab.discretize.discretize import discretize
 from groundslab.discretize.ground import ground_under, grounds_of, layer_of
 from groundslab.discretize.symmetry import symmetries
@@ -15,7 +16,7 @@ from groundslab.errors import InputError
 from groundslab.fem.foundation import Column, Layer, consistent_stack, edge_decay
 from groundslab.fem.system import edge_decays
 from groundslab.fem.vlasov import Soil, parameters, parameters_as_printed, profile, profiles
-from groundslab.model.ground import InterfaceLayer, Layered, Pasternak, SoilLayer, Vlasov, Winkler
+from groundslab.model.ground import ConstrainedModulus, InterfaceLayer, Layered, Pasternak, SoilLayer, Vlasov, Winkler
 from groundslab.model.loads.load_types import UniformLoad
 from groundslab.model.model import Model
 from groundslab.model.plate import Plate
@@ -291,3 +292,62 @@ def test_ground_under_follows_the_mesh() -> None:
         rows = found.A0[:, 0, 0].reshape(counts[1], counts[0])
         steps.append(np.abs(np.diff(rows, axis=1)).max())
     assert all(fine < 0.6 * coarse for coarse, fine in pairwise(steps))
+
+
+PEAT = SoilLayer(E=1e6, nu=0.35, thickness=1.0)
+SAND = SoilLayer(E=40e6, nu=0.3, thickness=8.0)
+
+
+@pytest.mark.parametrize(
+    "stack",
+    [Vlasov(layers=(PEAT, SAND)), Layered(coupling="interface", layers=(PEAT, SAND)),
+     Layered(coupling="consistent", layers=(PEAT, SAND)), ConstrainedModulus(layers=(PEAT, SAND))],
+    ids=["vlasov", "interface", "consistent", "constrained modulus"],
+)  # fmt: skip
+def test_a_layer_that_is_missing_at_a_borehole(stack: Any) -> None:
+    """With 0 m it is not there: the settlement is that of the stack without it.
+
+    By hand, of a pressure of 10 kPa that is the same everywhere on ground that ends with the plate:
+    10 kPa x 9 m / (40 MPa x 0.7 / (1.3 x 0.4)) = 1.6714 mm; stresses that spread are compared with the stack itself.
+    """
+    thick = SAND.replace(thickness=9.0)
+    hole = Borehole(x=0.0, y=0.0, layers=(PEAT.replace(thickness=0.0), thick))
+    without, missing = (
+        solve(model(ground=found, boreholes=holes)).plate.settlement
+        for found, holes in ((stack.replace(layers=(thick,)), ()), (stack, (hole,)))
+    )
+    assert missing == pytest.approx(without, rel=1e-6)
+    if stack.kind != "constrained modulus":
+        assert missing == pytest.approx(1e4 * 9 / (40e6 * 0.7 / (1.3 * 0.4)), rel=1e-5)
+
+
+def test_a_layer_pinches_out_between_boreholes() -> None:
+    """Peat of 1 m at one end, none at the other: in between it is as thick as the distance from the latter over 6.
+
+    k of each element in one dimension, by hand: 1 / (h_1 / M_1 + h_2 / M_2), M = E (1 - nu) / ((1 + nu)(1 - 2 nu)).
+    """
+    holes = (
+        Borehole(x=-3.0, y=0.0, layers=(PEAT, SAND)),
+        Borehole(x=3.0, y=0.0, layers=(PEAT.replace(thickness=0.0), SAND.replace(thickness=9.0))),
+    )
+    stack = Vlasov(layers=(PEAT, SAND), gamma=1e-6)
+    found = discretize(model(ground=stack, boreholes=holes, mesh=Mesh(counts=(24, 5))))
+    column = found.ground
+    assert isinstance(column, Soil)
+    assert column.parts is not None
+    x = found.mesh.nodes[found.mesh.elements[:, 8], 0]
+    in_middle = np.abs(found.mesh.nodes[found.mesh.elements[:, 8], 1]) < 1e-9
+    peat = np.asarray(column.layers[0].thickness)[column.parts.column]
+    assert peat[in_middle] == pytest.approx((3 - x[in_middle]) / 6, rel=1e-9)
+    M_1, M_2 = (E * (1 - nu) / ((1 + nu) * (1 - 2 * nu)) for E, nu in ((1e6, 0.35), (40e6, 0.3)))
+    k0 = profiles(column.layers, np.zeros(len(np.asarray(column.layers[0].thickness))))[0][column.parts.column]
+    assert k0 == pytest.approx(1 / (peat / M_1 + (9 - peat) / M_2), rel=1e-6)
+
+
+def test_layers_of_no_thickness_are_for_boreholes_alone() -> None:
+    """In [ground] and with all layers at a borehole they are refused."""
+    none = PEAT.replace(thickness=0.0)
+    with pytest.raises(InputError, match=r"layers\[1\].thickness: found 0 m, expected more than 0 m"):
+        Vlasov(layers=(none, SAND))
+    with pytest.raises(InputError, match="layers of 0 m"):
+        Borehole(x=0.0, y=0.0, layers=(none, none))

@@ -72,7 +72,7 @@ def find_soil(model: Model) -> SoilColumn:
     base = BASE_DEPTH * max(min(each.sides) for each in model.every_plate)
     if model.boreholes:
         hole, name = _middle_borehole(model)
-        layers = hole.layers
+        layers = [layer for layer in hole.layers if layer.thickness]
         notes.append(f"All grounds have the layers of {name} everywhere, the borehole nearest to the plate's middle.")
     if not all(isinstance(layer, SoilLayer) for layer in layers) or not (layers or half_space):
         found = f"{quote(ground.kind)} without layers of soil"

@@ -118,7 +118,7 @@ def _own_constants(
     ground: Vlasov | Layered | ContinuousGround, layer: Layer, index: int, constants: Sequence[Profile]
 ) -> tuple[tuple[float, ...], tuple[float, ...]]:
     """Return k0 and k1 of a layer of a stack: of its sublayers, or in each combination; else nothing."""
-    if not isinstance(ground, Layered):
+    if not isinstance(ground, Layered) or not layer.thickness:
         return (), ()
     if ground.coupling == "interface":
         return tuple(constant.k0[index] for constant in constants), tuple(constant.k1[index] for constant in constants)
