@@ -37,6 +37,12 @@ class Building:
         from ifcopenshell.api import unit as units
 
         self.file = project.create_file(version=version)
+        if version == "IFC2X3":
+            # which wants to know who made each thing
+            create = self.file.create_entity
+            firm = create("IfcOrganization", Name="Firm")
+            create("IfcPersonAndOrganization", create("IfcPerson", FamilyName="Somebody"), firm)
+            create("IfcApplication", firm, "1", "tests", "tests")
         self.size, about = UNITS.get(unit, (1.0, {}))
         self.project = root.create_entity(self.file, ifc_class="IfcProject", name="Project")
         if about:
@@ -102,7 +108,9 @@ class Building:
 
         element = root.create_entity(self.file, ifc_class=kind, name=name)
         up = self.file.create_entity("IfcDirection", (0.0, 0.0, 1.0))
-        solid = self.file.create_entity("IfcExtrudedAreaSolid", profile, None, up, self.length(height))
+        origin = self.file.create_entity("IfcCartesianPoint", (0.0, 0.0, 0.0))
+        own = self.file.create_entity("IfcAxis2Placement3D", origin)
+        solid = self.file.create_entity("IfcExtrudedAreaSolid", profile, own, up, self.length(height))
         shape = self.file.create_entity("IfcShapeRepresentation", self.body, "Body", "SweptSolid", [solid])
         element.Representation = self.file.create_entity("IfcProductDefinitionShape", None, None, [shape])
         if voids is None:
@@ -111,6 +119,40 @@ class Building:
             add_feature(self.file, feature=element, element=voids)
         self.place(element, np.eye(4) if place is None else place, self.storey if voids is None else voids)
         return element
+
+    def tessellate(self, element: Any, cells: Sequence[Sequence[float]], kind: str) -> None:
+        """Give an element a body of faces in place of its own: boxes (x0, x1, y0, y1, z0, z1) [m] side by side.
+
+        ``kind`` is IfcTriangulatedFaceSet, IfcPolygonalFaceSet or IfcFacetedBrep; coordinates are the element's own.
+        """
+        corners, quads = dict[tuple[float, ...], int](), dict[frozenset[int], list[int]]()
+        for x0, x1, y0, y1, z0, z1 in cells:
+            numbers = [
+                corners.setdefault(each, len(corners) + 1)
+                for z in (z0, z1)
+                for each in ((x0, y0, z), (x1, y0, z), (x1, y1, z), (x0, y1, z))
+            ]
+            for side in ((3, 2, 1, 0), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7)):
+                quad = [numbers[n] for n in side]
+                # a side that two boxes share lies within
+                if quads.pop(frozenset(quad), None) is None:
+                    quads[frozenset(quad)] = quad
+        places = [tuple(map(self.length, each)) for each in corners]
+        create = self.file.create_entity
+        if kind == "IfcFacetedBrep":
+            points = [create("IfcCartesianPoint", place) for place in places]
+            loops = [create("IfcPolyLoop", [points[n - 1] for n in quad]) for quad in quads.values()]
+            faces = [create("IfcFace", [create("IfcFaceOuterBound", loop, True)]) for loop in loops]
+            body = create(kind, create("IfcClosedShell", faces))
+        elif kind == "IfcPolygonalFaceSet":
+            faces = [create("IfcIndexedPolygonalFace", quad) for quad in quads.values()]
+            body = create(kind, create("IfcCartesianPointList3D", places), True, faces)
+        else:
+            triangles = [part for a, b, c, d in quads.values() for part in ((a, b, c), (a, c, d))]
+            body = create(kind, Coordinates=create("IfcCartesianPointList3D", places), CoordIndex=triangles)
+        (shape,) = element.Representation.Representations
+        shape.RepresentationType = "Brep" if kind == "IfcFacetedBrep" else "Tessellation"
+        shape.Items = [body]
 
     def slab(
         self, name: str = "Raft", points: Sequence[Point] = SLAB, thickness: float = 0.3,

@@ -17,7 +17,7 @@ def describe(parser: argparse.ArgumentParser) -> None:
         "Geometry alone: outline, openings and thickness of one slab, and the columns and walls that stand on it. The "
         "report on standard error says what was taken, in which way, and what was left out."
     )
-    parser.add_argument("file", metavar="FILE", help="building model (IFC 4, STEP format)")
+    parser.add_argument("file", metavar="FILE", help="building model (IFC 2x3 or IFC 4, STEP format)")
     parser.add_argument(
         "--slab", default="", metavar="NAME", help="name or GlobalId of the slab (default: the only one of the file)"
     )

@@ -192,7 +192,9 @@ def _add_exchange(commands: argparse._SubParsersAction[argparse.ArgumentParser])
     saf.describe_import(_command(commands, "import-saf", saf.import_file, meaning))
     meaning = "write a case to a file of the Structural Analysis Format (XLSX)"
     saf.describe_export(_command(commands, "export-saf", saf.export_file, meaning))
-    meaning = "make a case file from a slab in a building model (IFC 4) and report what was read: geometry alone"
+    meaning = (
+        "make a case file from a slab in a building model (IFC 2x3 or IFC 4) and report what was read: geometry alone"
+    )
     ifc.describe(_command(commands, "import-ifc", ifc.run, meaning))
 
 

@@ -19,9 +19,15 @@ from groundslab.schema.wording import describe
 LARGEST_FILE = 200_000_000
 #: Most elements whose bodies are made, and most triangles of one body.
 MOST_BODIES, MOST_TRIANGLES = 20_000, 200_000
+#: Names of quantities that are the thickness of slabs, and of walls.
+THICKNESSES = (("Depth", "NominalDepth"), ("Width", "NominalWidth"))
 #: Curves become chords that are so far off them at most [m].
 SAG = 1e-3
-_EXPECTED = "an IFC 4 file"
+#: Classes that are asked for, and that a version does not know.
+UNKNOWN = {"IFC2X3": ("IfcMapConversion",)}
+#: Versions of the format that are read, as their schemas begin.
+VERSIONS = ("IFC4", "IFC2X3")
+_EXPECTED = "an IFC 2x3 or IFC 4 file"
 
 
 @dataclass(slots=True)
@@ -32,13 +38,18 @@ class IfcFile:
     model: Any
     settings: Any
     create_shape: Any
-    container_of: Any
+    relations: Any  # of elements: storeys, materials, quantities
     unit: str
     scale: float  # size of the unit [m]
     bodies: dict[int, Body | str] = field(default_factory=dict, repr=False)
 
     def by_type(self, name: str) -> list[Any]:
-        """Return the elements of a class and of the classes derived from it, in the order of the file."""
+        """Return the elements of a class and of the classes derived from it, in the order of the file.
+
+        Of a class that the file's version does not know there are none.
+        """
+        if name in UNKNOWN.get(str(self.model.schema), ()):
+            return []
         return sorted(self.model.by_type(name), key=lambda element: int(element.id()))
 
     def body(self, element: Any) -> Body | str:
@@ -50,6 +61,23 @@ class IfcFile:
                 raise InputError([Issue(self.path, f"more than {MOST_BODIES:,} elements", "fewer", hint)])
             self.bodies[key] = self._make_body(element)
         return self.bodies[key]
+
+    def said_thickness(self, element: Any) -> dict[str, float]:
+        """Return what the file says of an element's thickness [m] beside its body, by what says it."""
+        found: dict[str, float] = {}
+        try:
+            material = self.relations.get_material(element)
+            layers = getattr(getattr(material, "ForLayerSet", material), "MaterialLayers", None) or ()
+            if layers:
+                found["its material layers"] = self.scale * sum(float(layer.LayerThickness) for layer in layers)
+            for values in self.relations.get_psets(element, qtos_only=True).values():
+                named = (name for name in THICKNESSES[element.is_a("IfcWall")] if isinstance(values.get(name), float))
+                found |= {f"its quantity {name}": self.scale * values[name] for name in named}
+        except MemoryError:
+            raise
+        except Exception:  # of any kind, as what is damaged may be anything; the body counts
+            return {}
+        return {what: round(value, 9) for what, value in found.items() if math.isfinite(value) and value > 0}
 
     def _make_body(self, element: Any) -> Body | str:
         """Return the body of an element, or why there is none."""
@@ -88,14 +116,14 @@ def open_file(path: str) -> IfcFile:
     except Exception as error:  # of any kind, as what is damaged may be anything
         found = f"a file that is not IFC, or damaged ({error})"
         raise InputError([Issue(path, found, _EXPECTED, "export it again from the building's program")]) from None
-    if not schema.startswith("IFC4"):
+    if not schema.upper().startswith(VERSIONS):
         raise InputError([Issue(f"{path}, schema", describe(schema), _EXPECTED, "export it as IFC 4")])
     settings = geom.settings()
     settings.set("disable-opening-subtractions", True)  # openings are read for themselves
     settings.set("mesher-linear-deflection", SAG)
     settings.set("mesher-angular-deflection", TURN)
     name, scale = _unit(model, unit, path)
-    return IfcFile(path, model, settings, geom.create_shape, element.get_container, name, scale)
+    return IfcFile(path, model, settings, geom.create_shape, element, name, scale)
 
 
 def _check_readable(path: str) -> None:

@@ -17,6 +17,7 @@ from groundslab.case.ifc.slab import (
     Slab,
     SlabInFile,
     choose_slab,
+    contradictions,
     find_slabs,
     name_of,
     read_slab,
@@ -25,7 +26,7 @@ from groundslab.case.ifc.slab import (
 )
 from groundslab.case.report import ReportLine, report_lines
 from groundslab.errors import InputError
-from groundslab.geometry.plan import Ring
+from groundslab.geometry.plan import Place, Ring
 from groundslab.schema.wording import describe
 
 if TYPE_CHECKING:
@@ -82,7 +83,7 @@ class IfcCase:
 def read_ifc(
     path: str | Path, slab: str = "", origin: Literal["own", "center"] = "own", align: bool = False
 ) -> IfcCase:
-    """Read a slab from an IFC 4 file: geometry alone.
+    """Read a slab from an IFC 2x3 or IFC 4 file: geometry alone.
 
     Taken are its outline, the openings through it, its thickness if it is a plate, and the columns and walls whose feet
     are on its top, or within it. Curves become chords at most 1 mm off them, but circles stay circles.
@@ -136,7 +137,7 @@ def read_ifc(
 
 
 def list_slabs(path: str | Path) -> tuple[SlabInFile, ...]:
-    """Return the slabs of an IFC 4 file, the lowest first and those that cannot be read last.
+    """Return the slabs of an IFC 2x3 or IFC 4 file, the lowest first and those that cannot be read last.
 
     Parameters
     ----------
@@ -190,7 +191,11 @@ def _to_drawing(
 
 def _columns(file: IfcFile, slab: Slab, report: list[ReportLine]) -> Iterator[tuple[str, Ring]]:
     """Yield name and footprint of each column on the slab."""
-    for element, foot in _standing(file, "IfcColumn", slab, report):
+    for element, pieces in _standing(file, "IfcColumn", slab, report):
+        if len(pieces) > 1:
+            report.append(ReportLine("IfcColumn", name_of(element), False, f"its foot is in {len(pieces)} pieces"))
+            continue
+        foot = pieces[0]
         if not slab.plan.covers(foot.centroid):
             report.append(ReportLine("IfcColumn", name_of(element), False, "beside the slab, or over an opening"))
             continue
@@ -211,44 +216,57 @@ def _remark_on_columns(drawing: dxf.Drawing, report: list[ReportLine]) -> None:
 
 
 def _walls(file: IfcFile, slab: Slab, report: list[ReportLine]) -> Iterator[tuple[str, dxf.LineMark]]:
-    """Yield name, axis and thickness of each wall on the slab; one that leaves it has a part for each piece on it."""
-    from shapely import LineString
+    """Yield name, axis and thickness of each wall on the slab; one that leaves it has a part for each piece on it.
 
-    for element, foot in _standing(file, "IfcWall", slab, report):
-        strip = dxf.strip_of(foot)
-        if strip is None:
+    So has one whose foot is in pieces, as between doors that are cut into its body.
+    """
+    for element, pieces in _standing(file, "IfcWall", slab, report):
+        strips = [strip for piece in pieces if (strip := dxf.strip_of(piece)) is not None]
+        if len(strips) < len(pieces):
             why = "its foot is not a straight strip, as of curved walls and of corners"
             report.append(ReportLine("IfcWall", name_of(element), False, why))
             continue
-        axis, width = LineString(strip[0]), strip[1]
-        on_slab = axis.intersection(slab.plan.buffer(1e-6))
-        parts = [part for part in getattr(on_slab, "geoms", [on_slab]) if part.length >= SHORTEST]
-        if not parts:
+        width = max(width for _, width in strips)
+        found = [_on_slab(axis, slab) for axis, _ in strips]
+        if not any(parts for parts, _ in found):
             report.append(ReportLine("IfcWall", name_of(element), False, "its axis is beside the slab"))
             continue
-        on_all = sum(part.length for part in parts) > axis.length - 1e-5
-        cut = "" if on_all else ", as far as its axis is on the slab"
+        cut = f", in {len(strips)} pieces as between doors" if len(strips) > 1 else ""
+        cut += "" if all(whole for _, whole in found) else ", as far as its axis is on the slab"
         doors = ", its openings are not read" if element.HasOpenings else ""
         report.append(ReportLine("IfcWall", name_of(element), True, f"wall, {width:.6g} m thick{cut}{doors}"))
-        for part in [axis] if on_all else parts:
-            ends = tuple((round(x, 9) + 0.0, round(y, 9) + 0.0) for x, y in part.coords)
-            yield name_of(element), dxf.LineMark(ends, (0.0,) * (len(ends) - 1), round(width, 9), "")
+        report += contradictions(file, element, width)
+        for (parts, _), (_, thickness) in zip(found, strips, strict=True):
+            for ends in parts:
+                yield name_of(element), dxf.LineMark(ends, (0.0,) * (len(ends) - 1), round(thickness, 9), "")
 
 
-def _standing(file: IfcFile, kind: str, slab: Slab, report: list[ReportLine]) -> Iterator[tuple[Any, Polygon]]:
-    """Yield the elements of a class whose feet are on the slab, with their feet in plan."""
+def _on_slab(ends: tuple[Place, Place], slab: Slab) -> tuple[list[tuple[Place, ...]], bool]:
+    """Return the parts of an axis on the slab, and whether they are all of it."""
+    from shapely import LineString
+
+    axis = LineString(ends)
+    on_slab = axis.intersection(slab.plan.buffer(1e-6))
+    parts = [part for part in getattr(on_slab, "geoms", [on_slab]) if part.length >= SHORTEST]
+    whole = sum(part.length for part in parts) > axis.length - 1e-5
+    lines = [axis] if whole else parts
+    return [tuple((round(x, 9) + 0.0, round(y, 9) + 0.0) for x, y in line.coords) for line in lines], whole
+
+
+def _standing(file: IfcFile, kind: str, slab: Slab, report: list[ReportLine]) -> Iterator[tuple[Any, list[Polygon]]]:
+    """Yield the elements of a class whose feet are on the slab, with their feet in plan, which may be in pieces."""
     for element in file.by_type(kind):
         body = file.body(element)
         why = body if isinstance(body, str) else _why_not_on(slab, body)
-        foot = None
+        pieces: list[Polygon] = []
         if not why and isinstance(body, Body):
             foot = body.face(body.bottom)
-            if foot.geom_type != "Polygon" or not foot.area:
-                why = "its foot is not one level face"
+            pieces = [piece for piece in getattr(foot, "geoms", [foot]) if piece.geom_type == "Polygon" and piece.area]
+            why = "" if pieces else "its foot is not level"
         if why:
             report.append(ReportLine(kind, name_of(element), False, why))
         else:
-            yield element, foot
+            yield element, pieces
 
 
 def _why_not_on(slab: Slab, body: Body) -> str:

@@ -67,6 +67,7 @@ def choose_slab(file: IfcFile, wanted: str) -> Any:
     """Return the element of the slab of a name or GlobalId, or the only one; raises InputError that lists them."""
     slabs = find_slabs(file)
     chosen = [element for element in slabs if not wanted or wanted in (element.GlobalId, name_of(element))]
+    chosen = chosen or [element for element in slabs if _spelled(wanted) == _spelled(name_of(element))]
     if len(chosen) == 1:
         return chosen[0]
     if chosen:
@@ -79,6 +80,11 @@ def choose_slab(file: IfcFile, wanted: str) -> Any:
     if more := len(chosen or slabs) - len(listed):
         issues.append(Issue(file.path, f"{more:,} more slabs", "one of these"))
     raise InputError(issues)
+
+
+def _spelled(name: str) -> str:
+    """Return a name without capitals and spaces."""
+    return "".join(name.split()).casefold()
 
 
 def _about(file: IfcFile, element: Any) -> str:
@@ -99,7 +105,7 @@ def storey_of(file: IfcFile, element: Any) -> str:
 def storey_name(file: IfcFile, element: Any) -> str:
     """Return the name of the storey that an element belongs to, empty if there is none."""
     try:
-        container = file.container_of(element)
+        container = file.relations.get_container(element)
         return "" if container is None else name_of(container)
     except (AttributeError, RuntimeError):
         return ""
@@ -123,11 +129,26 @@ def read_slab(file: IfcFile, element: Any, report: list[ReportLine]) -> Slab:
     if thickness is None:
         why = "its body is no plate of one thickness, which is to be filled in"
         report.append(ReportLine(element.is_a(), name_of(element), None, why))
+    report += contradictions(file, element, thickness)
     plan = _without_openings(file, element, body, top, report)
     if plan.geom_type != "Polygon":
         pieces = len(getattr(plan, "geoms", ()))
         raise InputError([Issue(where, f"a plan of {pieces} pieces", "one piece", "a case describes one plate")])
     return Slab(name_of(element), plan, body.top, body.bottom, thickness and round(thickness, 9))
+
+
+def contradictions(file: IfcFile, element: Any, thickness: float | None) -> list[ReportLine]:
+    """Return a note on each thickness [m] that the file says of an element and that its body does not have."""
+    said = {} if thickness is None else file.said_thickness(element)
+    return [
+        ReportLine(
+            element.is_a(), name_of(element), None,
+            f"its body is {thickness:.6g} m thick, {what} {'is' if what.startswith('its q') else 'are'} {value:.6g} m: "
+            "the body counts",
+        )
+        for what, value in said.items()
+        if thickness is not None and abs(value - thickness) > THROUGH
+    ]  # fmt: skip
 
 
 def _without_openings(file: IfcFile, element: Any, body: Body, plan: Any, report: list[ReportLine]) -> Any:

@@ -14,7 +14,7 @@ class BuildingReader(FileReader):
     """Reads one building at a time, each in a process of its own, which then ends."""
 
     kind = FileKind(
-        "a building", "an IFC 4 file", "export the storey of the slab alone",
+        "a building", "an IFC 2x3 or IFC 4 file", "export the storey of the slab alone",
         "export it again from the building's program", ("shapely", "ifcopenshell", "ifcopenshell.geom"), 120.0,
         4_000_000_000,
     )  # fmt: skip

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import random
 import tomllib
 from pathlib import Path
 from typing import Any
@@ -43,10 +44,11 @@ def reasons(case: gs.IfcCase, taken: bool | None = False) -> dict[str, str]:
     return {line.name: line.why for line in case.report if line.taken is taken}
 
 
+@pytest.mark.parametrize("version", ["IFC4", "IFC2X3"])
 @pytest.mark.parametrize("unit", list(UNITS))
-def test_a_slab_in_any_unit(unit: str, tmp_path: Path) -> None:
+def test_a_slab_in_any_unit(unit: str, version: str, tmp_path: Path) -> None:
     """Outline and thickness are in meters, whatever the file's unit is; modulus, ground and loads are missing."""
-    building = Building(unit)
+    building = Building(unit, version)
     building.slab()
     tables, case = read(building, tmp_path)
     assert corners(tables["plate"]["outline"]) == set(SLAB)
@@ -216,6 +218,80 @@ def test_walls(tmp_path: Path) -> None:
     assert "as far as" in reasons(case, taken=True)["Out"]
 
 
+#: Boxes of a wall of 4 m with a door of 1 m by 2.1 m, 1 m from its start, and one of a slab of 6 m by 4 m.
+DOOR = [(0, 1, 0, 0.2, 0, 2.1), (2, 4, 0, 0.2, 0, 2.1), (0, 1, 0, 0.2, 2.1, 2.8), (1, 2, 0, 0.2, 2.1, 2.8),
+        (2, 4, 0, 0.2, 2.1, 2.8)]  # fmt: skip
+RAFT = [(0, 6, 0, 4, -0.3, 0)]
+
+
+@pytest.mark.parametrize(
+    ("version", "kind"),
+    [("IFC4", ""), ("IFC2X3", ""), ("IFC4", "IfcTriangulatedFaceSet"), ("IFC4", "IfcPolygonalFaceSet"),
+     ("IFC4", "IfcFacetedBrep"), ("IFC2X3", "IfcFacetedBrep")],
+)  # fmt: skip
+def test_a_wall_with_a_door_in_its_body(version: str, kind: str, tmp_path: Path) -> None:
+    """Its foot is in two pieces: from 0 to 1 m and from 2 to 4 m, 1 m up the page; extruded across, and of faces."""
+    building = Building("mm", version)
+    slab = building.slab()
+    front = building.polygon([(0, 0), (1, 0), (1, 2.1), (2, 2.1), (2, 0), (4, 0), (4, 2.8), (0, 2.8)])
+    # the profile stands upright, its x along x and its y up, and is extruded against y
+    upright = np.array([[1, 0, 0, 1], [0, 0, -1, 1.2], [0, 1, 0, 0], [0, 0, 0, 1.0]])
+    wall = building.add("IfcWall", "W", front, 0.2, upright)
+    if kind:
+        building.tessellate(slab, RAFT, kind)
+        building.place(slab, np.eye(4), building.storey)
+        building.tessellate(wall, DOOR, kind)
+        building.place(wall, turned(0, 1, 1), building.storey)
+    tables, case = read(building, tmp_path)
+    assert corners(tables["plate"]["outline"]) == set(SLAB)
+    assert meters(tables["plate"]["thickness"]) == pytest.approx(0.3)
+    axes = sorted((meters(wall["points"]), meters(wall["thickness"]), wall["name"]) for wall in tables["walls"])
+    assert axes == [
+        ([[1, 1.1], [2, 1.1]], pytest.approx(0.2), axes[0][2]), ([[3, 1.1], [5, 1.1]], pytest.approx(0.2), axes[1][2])
+    ]  # fmt: skip
+    assert {name for *_, name in axes} == {"W", "W (2)"}
+    assert "in 2 pieces as between doors" in reasons(case, taken=True)["W"]
+
+
+def test_thicknesses_that_contradict_the_body_are_noted(tmp_path: Path) -> None:
+    """Layers of 250 mm and a depth of 280 mm of a slab whose body has 300 mm; a wall that agrees has no note."""
+    from ifcopenshell.api import material, pset
+
+    building = Building("mm")
+    slab = building.slab()
+    wall = building.add("IfcWall", "W", building.polygon([(1, 1), (4, 1), (4, 1.2), (1, 1.2)]), 2.8)
+    for element, thickness in ((slab, 250.0), (wall, 200.0)):
+        layers = material.add_material_set(building.file, name="L", set_type="IfcMaterialLayerSet")
+        layer = material.add_layer(building.file, layer_set=layers, material=material.add_material(building.file))
+        layer.LayerThickness = thickness
+        material.assign_material(building.file, products=[element], type="IfcMaterialLayerSet", material=layers)
+    quantities = pset.add_qto(building.file, product=slab, name="Qto_SlabBaseQuantities")
+    pset.edit_qto(building.file, qto=quantities, properties={"Depth": 280.0})
+    _, case = read(building, tmp_path)
+    said = [(line.name, line.why) for line in case.report if line.taken is None]
+    assert said == [
+        ("Raft", "its body is 0.3 m thick, its material layers are 0.25 m: the body counts"),
+        ("Raft", "its body is 0.3 m thick, its quantity Depth is 0.28 m: the body counts"),
+    ]
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_units_and_names_spelled_in_other_ways(seed: int, tmp_path: Path) -> None:
+    """Any unit and version, capitals and spaces in the slab's name: always 6 m by 4 m."""
+    chance = random.Random(seed)
+    building = Building(chance.choice(list(UNITS)), chance.choice(["IFC4", "IFC2X3"]))
+    building.slab("Raft of house 7")
+    building.slab("Roof", place=turned(0, 0, 0, 3))
+    wanted = chance.choice(["raft of house 7", "RAFT OF HOUSE 7", "Raft  of house 7 ", "raftofhouse7"])
+    path = building.write(tmp_path / "house.ifc")
+    text = path.read_text()
+    schema = f"FILE_SCHEMA(('{building.file.schema}'))"
+    assert schema in text
+    path.write_text(text.replace(schema, chance.choice([schema, schema.replace("((", "( ( ").replace("))", " ) )")])))
+    case = gs.read_ifc(path, wanted)
+    assert corners(tomllib.loads(case.text)["plate"]["outline"]) == set(SLAB)
+
+
 def test_arcs_become_chords_within_a_millimeter(tmp_path: Path) -> None:
     """A round slab of 5 m is a circle; half of it has its corners on the arc, and chords at most 1 mm off it."""
     building = Building()
@@ -308,7 +384,8 @@ BARE = (
     [
         (b"", "not IFC, or damaged"),
         (b"PK\x03\x04", "compressed"),
-        (BARE % b"IFC2X3", "IFC2X3"),
+        (BARE % b"IFC2X2_FINAL", "IFC 2x3 or IFC 4"),
+        (BARE % b"IFC2X3", "unit"),
         (BARE % b"IFC4", "unit"),
     ],
 )
