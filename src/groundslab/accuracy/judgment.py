@@ -103,7 +103,7 @@ def _largest_of(results: CombinationResult) -> LargestValues:
 def _shear_of(beam: BeamResult, results: CombinationResult) -> float:
     """Return the largest shear force of a beam [N] a plate's thickness away from its ends."""
     away = max(plate.thickness for plate in results.model.every_plate)
-    return float(np.abs(beam.shear[beam.away_from_ends(away)]).max(initial=0.0))
+    return float(np.abs(beam.between_ends(away).shear).max())
 
 
 def judged_values(results: CombinationResult) -> Iterator[tuple[str, JudgedValue]]:

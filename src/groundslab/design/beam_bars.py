@@ -1,26 +1,27 @@
 """Bars and links that beams of concrete need in the ultimate combinations, by the code of the case.
 
-A rectangle takes its own moment. A rib acts as a T with its flange: the slab's moment over the flange's width, of the
-same curvature, adds to the rib's. Where the flange is compressed it counts with its effective width, as long as the
-neutral axis lies in it; else the rib's width counts alone, which is on the safe side. Torsion by compatibility needs no
-design (EN 1992-1-1 6.3.1(2), ACI 318-19 22.7.3.2); none other is looked at. Bars of the slab do not count.
+A rectangle takes its own moment. A rib acts as a T with its flange: the slab's moment over the flange's width adds to
+the rib's, and the shear force is the slope of both. Where the flange is compressed it counts with its effective width,
+as long as the neutral axis lies in it; else the rib's width counts alone, which is on the safe side. Torsion by
+compatibility needs no design (EN 1992-1-1 6.3.1(2), ACI 318-19 22.7.3.2); none other is looked at. Bars of the slab do
+not count.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 
 import numpy as np
 
-from groundslab.arrays import Array, Integers
+from groundslab.arrays import Array
 from groundslab.design.basis.combinations import ultimate_results
 from groundslab.design.bending import Reinforcement as Bending
 from groundslab.design.codes import code_of
+from groundslab.design.demands.section_cuts import moments_across
 from groundslab.fem.mesh import Mesh, locate
 from groundslab.model.design.reinforcement import Reinforcement
-from groundslab.model.plates.region import PlateRegion
 from groundslab.model.structure.beams import Beam, GivenSection, RibSection
 from groundslab.results.record import BeamResult
 from groundslab.results.results import CombinationResult, Results
@@ -29,6 +30,10 @@ from groundslab.results.results import CombinationResult, Results
 WHAT = ("bottom", "top", "links")
 #: So much of a piece's length beside its middle the plate's thickness is looked up.
 BESIDE = 1e-2
+#: Such a share of the way to the next place cuts across the flange move off the ends of a beam and places of jumps.
+INSIDE = 1e-6
+#: Places so close, relative to a beam's length, are one.
+SAME = 1e-9
 #: Of places that need as much, the one with the largest force counts.
 TIE = 1e-15
 
@@ -50,7 +55,6 @@ class BeamNeed:
 class _Section:
     """A concrete section at k places along a beam, as the code needs it."""
 
-    share: Array  # (k,): of the section's moments and shear forces over those of the beam
     h: Array  # (k,): height [m]
     b: float  # of the web [m]
     compressed: tuple[float, float]  # width where the beam sags, where it hogs [m]
@@ -70,37 +74,64 @@ def beam_needs(combined: Results, steel: Reinforcement) -> list[BeamNeed]:
     return found
 
 
+def section_forces(results: CombinationResult, beam: Beam, own: BeamResult) -> BeamResult:
+    """Return a beam with M and V of its section: of a rib with what the slab carries over the flange's width."""
+    if not isinstance(beam.section, RibSection):
+        return own
+    runs = np.split(np.arange(len(own.way)), np.flatnonzero(np.diff(own.way) <= SAME * own.way[-1]) + 1)
+    runs = [run for run in runs if len(run) > 1]
+    along, turn = np.zeros_like(own.nodes), np.zeros(len(own.way))
+    for run in runs:
+        way = _slope(own.nodes[run], own.way[run])
+        along[run] = way / np.linalg.norm(way, axis=1, keepdims=True)
+        turn[run] = _slope(np.unwrap(np.arctan2(along[run, 1], along[run, 0])), own.way[run])
+    middle = own.nodes.copy()
+    for run in runs:  # off the lines at which the slab's moments may jump
+        middle[run[[0, -1]]] += INSIDE * (middle[run[[1, -2]]] - middle[run[[0, -1]]])
+    left = beam.section.flange_width / 2 * np.stack([-along[:, 1], along[:, 0]], axis=1)
+    M, T = moments_across(results.plate, np.stack([middle - left, middle + left], axis=1))
+    V = -turn * T
+    for run in runs:
+        V[run] += _slope(M[run], own.way[run])
+    return replace(own, moment=own.moment + M, shear=own.shear + V)
+
+
+def _slope(values: Array, way: Array) -> Array:
+    """Return the derivative of values (k,) or (k, 2) along k places."""
+    found: Array = np.gradient(values, way, axis=0, edge_order=2 if len(way) > 2 else 1)
+    return found
+
+
 def _needs(results: CombinationResult, number: int, beam: Beam, steel: Reinforcement) -> Iterator[BeamNeed]:
     """Yield what a beam needs at both faces and of links in a combination, each at the place of the most."""
-    own = results.beams[number]
+    own = section_forces(results, beam, results.beams[number])
     section = _section(results, beam, own, steel)
     code, state = code_of(steel), results.limit_state
     assert code.beams is not None
     required = code.bending(steel, state).required
-    M, V = section.share * own.moment, section.share * own.shear
+    M = own.moment
 
-    def need(what: str, area: Array, least: Array, force: Array, places: Integers) -> BeamNeed:
+    def need(what: str, area: Array, least: Array, force: Array, ways: Array) -> BeamNeed:
         wanted = np.maximum(area, least)
         most = int(np.argmax(wanted + TIE * np.abs(force)))
-        way = float(own.way[places[most]])
-        return BeamNeed(own.name, what, float(wanted[most]), float(least[most]), float(force[most]), way,
-                        results.combination)  # fmt: skip
+        return BeamNeed(own.name, what, float(wanted[most]), float(least[most]), float(force[most]),
+                        float(ways[most]), results.combination)  # fmt: skip
 
-    everywhere = np.arange(len(M))
     for face, (what, sign) in enumerate((("bottom", 1.0), ("top", -1.0))):
         m = np.maximum(sign * M, 0.0)
         area = _bars(required, m, section, face)
         least = _at_each(partial(code.beams.minimum, steel, state), section.d[face], section.h) * section.b
-        yield need(what, area, np.where(m > 0, least, 0.0), np.where(m > 0, M, 0.0), everywhere)
-    away = np.flatnonzero(own.away_from_ends(float(section.h.max())))
-    d = np.minimum(*section.d)[away]
-    v = np.abs(V[away]) / section.b
+        yield need(what, area, np.where(m > 0, least, 0.0), np.where(m > 0, M, 0.0), own.way)
+    part = own.between_ends(float(np.minimum(*section.d).min()))
+    section = _section(results, beam, part, steel)
+    V, d = part.shear, np.minimum(*section.d)
+    v = np.abs(V) / section.b
     links, least = np.empty(len(v)), np.empty(len(v))
     for depth in np.unique(d):
         some = d == depth
         links[some] = code.beams.links(steel, state, v[some], float(depth)) * section.b
         least[some] = code.beams.links(steel, state, np.zeros(1), float(depth)) * section.b
-    yield need("links", links, least, V[away], away)
+    yield need("links", links, least, V, part.way)
 
 
 def _at_each(rule: Callable[[float, float], float], d: Array, h: Array) -> Array:
@@ -125,20 +156,15 @@ def _section(results: CombinationResult, beam: Beam, own: BeamResult, steel: Rei
     section = beam.section
     assert not isinstance(section, GivenSection)
     axes = beam.bar_axis or max(steel.bottom_axes), beam.bar_axis or max(steel.top_axes)
-    b, one = section.width, np.ones(len(own.way))
+    b = section.width
     if not isinstance(section, RibSection):
-        h = section.height * one
-        return _Section(one, h, b, (b, b), np.inf * one, (h - axes[0], h - axes[1]))
-    model = results.model
+        h = np.full(len(own.way), section.height)
+        return _Section(h, b, (b, b), np.inf * h, (h - axes[0], h - axes[1]))
     t = _flange(results, own)
-    x, y = own.nodes[len(own.nodes) // 2]
-    plate = model.every_plate[PlateRegion(model.plate, model.plates).plate_at((float(x), float(y)))]
-    E, width = plate.E, section.flange_width
-    bending = beam.stiffness * _at_each(lambda thickness, _: beam.added_bending(E, thickness), t, t)
+    width = section.flange_width
     h = section.height + t
     wide = (width, b) if section.side == "below" else (b, width)
-    share = 1 + E * width * t**3 / 12 / bending
-    return _Section(share, h, b, wide, t, (h - axes[0], h - axes[1]))
+    return _Section(h, b, wide, t, (h - axes[0], h - axes[1]))
 
 
 def _flange(results: CombinationResult, own: BeamResult) -> Array:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Literal
 import numpy as np
 
 if TYPE_CHECKING:
-    from groundslab.arrays import Array, Flags
+    from groundslab.arrays import Array
 
 
 @dataclass(frozen=True, slots=True)
@@ -127,13 +127,17 @@ class BeamResult:
         Bending moment M about the plate's middle plane [N m], positive where the beam sags; that of a rib includes the
         couple of the axial forces in rib and flange. About the beam's own axis it is M - e N.
     shear : (k,) array of float
-        Shear force V [N]: dM/ds where the plate does not bend the beam.
+        Shear force V [N] of the section that has M: dM/ds, along an axis that curves by alpha,s less T alpha,s. What
+        passes from the plate into the beam is in it.
     torsion : (k,) array of float
         Torsional moment T [N m]: -G J times the twist, which is positive if what lies to the left turns down along it.
     axial : (k,) array of float
         Axial force N [N], tension positive; 0 of a beam that is not eccentric.
     eccentricity : (k,) array of float
         How far its axis lies below the plate's middle plane [m].
+    own_shear : (k,) array of float
+        Shear force that the beam by itself carries across a cut through beam and plate [N], which the plate's own
+        shear forces add to; of walls and over openings the same as V.
     """
 
     name: str
@@ -145,22 +149,31 @@ class BeamResult:
     torsion: Array
     axial: Array
     eccentricity: Array
+    own_shear: Array
 
     @property
     def closed(self) -> bool:
         """Whether it ends where it starts."""
         return bool(np.array_equal(self.nodes[0], self.nodes[-1]))
 
-    def away_from_ends(self, distance: float) -> Flags:
-        """Return which places (k,) lie at least so far [m] from its ends, a quarter of the length of a short one.
+    def between_ends(self, distance: float) -> BeamResult:
+        """Return its part between places so far [m] from its ends, a quarter of the length of a short one.
 
-        A closed beam has no ends.
+        Values at both places are linear between those beside them. A closed beam has no ends.
         """
         if self.closed:
-            return np.ones(len(self.way), dtype=bool)
-        length = self.way[-1]
-        away: Flags = np.minimum(self.way, length - self.way) >= min(distance, length / 4)
-        return away
+            return self
+        length = float(self.way[-1])
+        low = min(distance, length / 4)
+        high = length - low
+        inside = (self.way > low) & (self.way < high)
+
+        def part(values: Array) -> Array:
+            ends = np.array([np.interp([low, high], self.way, column) for column in np.atleast_2d(values.T)]).T
+            found = np.concatenate([ends[:1], np.reshape(values[inside], (-1, ends.shape[1])), ends[1:]])
+            return found if values.ndim == 2 else found[:, 0]
+
+        return BeamResult(self.name, *(part(getattr(self, each.name)) for each in fields(self)[1:]))
 
 
 @dataclass(frozen=True, slots=True)

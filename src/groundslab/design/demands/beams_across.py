@@ -35,7 +35,7 @@ def carried_across(results: CombinationResult, starts: Array, ends: Array) -> Ar
                 if not (0 <= along <= 1 and 0 < way < ways[-1]):
                     continue
                 t = steps[piece] / lengths[piece]
-                M, V, T = (_at(result.way, each, way) for each in (result.moment, result.shear, result.torsion))
+                M, V, T = (_at(result.way, each, way) for each in (result.moment, result.own_shear, result.torsion))
                 onwards = np.sign(t @ forth)
                 found[number] += onwards * np.array([M * (t @ forth) + T * (np.array([-t[1], t[0]]) @ forth), V])
     return found

@@ -138,6 +138,20 @@ def strip(
     return StripResult(s[kept], x, y, *np.array(rows).T)
 
 
+def moments_across(plate: PlateResult, ends: Array) -> tuple[Array, Array]:
+    """Return int m_n ds and int m_nt ds [N m] over straight cuts (l, 2, 2) [m], where they lie on the plate, (l,) each.
+
+    n is to the right of a cut.
+    """
+    cut = _Cut.of(plate, ends)
+    m_n, _, m_nt, _ = cut.forces(cut.gauss)
+    leg = cut.line.leg[cut.gauss[0]]
+    bending, twist = np.zeros(len(ends)), np.zeros(len(ends))
+    np.add.at(bending, leg, cut.ds * m_n)
+    np.add.at(twist, leg, cut.ds * m_nt)
+    return bending, twist
+
+
 #: Pieces of lines in the elements of a mesh, which combinations have in common, by the ends of their legs.
 _LINES: Memo[dict[bytes, Pieces]] = Memo()
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from groundslab.arrays import Array, Flags, Integers, Memo
 from groundslab.fem.mesh import select_along, sides_of
-from groundslab.fem.parts.beams import POINTS, THETA, TO_ENDS, section_forces
+from groundslab.fem.parts.beams import POINTS, THETA, TO_ENDS, Beams, section_forces
 from groundslab.fem.parts.spans import forces_within, settlements_within
 from groundslab.fem.problem import Problem
 from groundslab.fem.system import beam_unknowns, plate_settlement
@@ -35,6 +35,7 @@ class Stations:
     piece: Integers  # (k,): to which it belongs
     points: Integers  # (k, 4): Gauss points of pieces, numbered 2 piece + point, from which each takes its values
     weights: Array  # (k, 4)
+    slopes: Array  # (k, 4) [1/m]: weights of the derivative along the beam
     of_piece: Integers  # (b, 2): those at its start and at its end
     place: Array  # (k, 2) [m]
     spans: Flags  # (k,): those along spans over openings, PARTS of each
@@ -45,22 +46,38 @@ def beam_results(model: Model, solution: Solution) -> tuple[BeamResult, ...]:
 
     They are most accurate at the Gauss points of a piece. Between two places where they or their slopes may jump (ends,
     kinks, other beams, supports, borders of loads and of zones) they are smooth: a parabola through the Gauss points of
-    the two pieces about a place gives the values there.
+    the two pieces about a place gives the values there, and its slope the shear force of the section.
     """
     if not model.members:
         return ()
     problem = solution.system.problem
-    stations, _, (M, T, V, N) = _along(model, solution)
+    b = problem.beams
+    stations, own, (M, T, V, N) = _along(model, solution)
     w = plate_settlement(solution.system, solution.U)[stations.node]
     w[stations.spans] = _settlements_of_spans(solution, np.column_stack([M, T, V, N])[stations.spans])
-    e = problem.beams.eccentricity[stations.piece]
+    e = b.eccentricity[stations.piece]
     M += e * N
+    whole = _shear_of_section(stations, b, own)
+    whole = np.where((b.deep | b.spans)[stations.piece], V, whole)
     found = []
     for number, beam in enumerate(model.members):
-        own = stations.beam == number
-        each = (values[own] for values in (stations.place, stations.way, w, M, V, T, N, e))
+        here = stations.beam == number
+        each = (values[here] for values in (stations.place, stations.way, w, M, whole, T, N, e, V))
         found.append(BeamResult(beam.name, *each))
     return tuple(found)
+
+
+def _shear_of_section(stations: Stations, b: Beams, own: Array) -> Array:
+    """Return dM_0/ds - T alpha,s (k,) [N] at stations, of M, T, V and N at the Gauss points of pieces (b, 2, 4).
+
+    M_0 t + T n is what a beam carries along its direction t, n to the left of it; both turn along an arc.
+    """
+    M_0, T = own[..., 0] + b.eccentricity[:, None] * own[..., 3], own[..., 1]
+    (x, y), (x_1, y_1) = b.along[:, 0].T, b.along[:, 1].T
+    turn = np.arctan2(x * y_1 - y * x_1, x * x_1 + y * y_1) / b.length
+    slope, bent = M_0.ravel()[stations.points], (turn[:, None] * T).ravel()[stations.points]
+    found: Array = (stations.slopes * slope - stations.weights * bent).sum(axis=1)
+    return found
 
 
 def _settlements_of_spans(solution: Solution, forces: Array) -> Array:
@@ -142,11 +159,14 @@ def _make_stations(model: Model, problem: Problem) -> Stations:
     at = (b.start + b.length / 2)[:, None] + b.length[:, None] / 2 * POINTS
     points = 2 * pieces + [0, 1, 0, 1]
     x = at.ravel()[points] - way[:, None]
-    x /= np.abs(x).max(axis=1, keepdims=True)
+    size = np.abs(x).max(axis=1, keepdims=True)
+    x /= size
     alone = (pieces[:, :1] == pieces[:, 2:3]).astype(bool)
     A = np.stack([np.ones_like(x), x, np.where(alone, 0.0, x * x)], axis=2)
     of_piece = np.column_stack([at_start, at_start + np.where(b.spans, len(PARTS) - 1, 1)])
-    return Stations(beam, node, way, piece, points, np.linalg.pinv(A)[:, 0], of_piece, places, b.spans[piece])
+    fit = np.linalg.pinv(A)
+    slopes = fit[:, 1] / size
+    return Stations(beam, node, way, piece, points, fit[:, 0], slopes, of_piece, places, b.spans[piece])
 
 
 def _goes_on(model: Model, problem: Problem) -> Flags:

@@ -41,7 +41,7 @@ if TYPE_CHECKING:
     from groundslab.model.model import Model
 
 #: The version of the archive's layout; it grows when an array changes its name, unit or meaning.
-FORMAT = 11
+FORMAT = 12
 
 
 #: Longest text of a library's reason.

@@ -78,6 +78,15 @@ def region_within_d(plate: PlateResult, some: list[Bearer], d: Array) -> BaseGeo
     return union_all([shape.buffer(reach, cap_style="flat", join_style="mitre") for reach, shape in joined])
 
 
+def webs_of(model: Model) -> tuple[BaseGeometry, list[LineString]]:
+    """Return what the webs of beams cover in plan, whose shear forces are the beams', and their axes."""
+    from shapely import union_all
+
+    chord = FLAT * max(model.sides)
+    some = [beam for beam in model.beams if beam.width]
+    return union_all([beam.area(chord) for beam in some]), [beam.to_shapely(chord) for beam in some]
+
+
 def _samples(shape: BaseGeometry) -> Array:
     """Return places (k, 2) [m] on a line, or the corners of a footprint and its middle."""
     from shapely import get_coordinates

@@ -12,7 +12,7 @@ import numpy as np
 from groundslab.arrays import Array, Flags, Integers
 from groundslab.design.basis.design_code import ShearRule
 from groundslab.design.by_plate import distances_to_edges, farthest_from_edges, results_by_plate
-from groundslab.design.checks.one_way_shear.faces import Bearer, pressing, region_within_d
+from groundslab.design.checks.one_way_shear.faces import Bearer, pressing, region_within_d, webs_of
 from groundslab.design.demands.line_traversal import interpolation, pieces
 from groundslab.design.demands.loads.column_loads import factors_of
 from groundslab.design.demands.perimeters import outline
@@ -93,13 +93,15 @@ class ShearPlaces:
         from shapely import contains_xy
 
         nodes = self.nodes
-        region = region_within_d(results.plate, some, nodes.d)
+        webs, axes = webs_of(results.solved_model)
+        within_d = region_within_d(results.plate, some, nodes.d)
+        region = within_d.union(webs)
         if region.is_empty:
             return PlacesByReach((nodes,), nodes.of(np.zeros_like(nodes.counts)))
-        near = np.asarray(contains_xy(region, *nodes.xy.T))
-        beyond = nodes.of(nodes.counts & ~near)
-        at_d = _on_border(results, region, [bearer.shape for bearer in some], nodes, self.reach)
-        return PlacesByReach((beyond,) if at_d is None else (beyond, at_d), nodes.of(nodes.counts & near))
+        near, on_web = (np.asarray(contains_xy(part, *nodes.xy.T)) for part in (within_d, webs))
+        beyond = nodes.of(nodes.counts & ~near & ~on_web)
+        at_d = _on_border(results, region, [*(bearer.shape for bearer in some), *axes], nodes, self.reach)
+        return PlacesByReach((beyond,) if at_d is None else (beyond, at_d), nodes.of(nodes.counts & near & ~on_web))
 
 
 def nodes_of(

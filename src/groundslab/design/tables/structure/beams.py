@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import numpy as np
 
-from groundslab.arrays import Array
 from groundslab.design.basis.combinations import solved_results
 from groundslab.design.beam_bars import BeamNeed, beam_needs
 from groundslab.design.codes import code_of
@@ -54,15 +53,12 @@ def beam_table(combined: Results) -> Table:
 
 def _figures(beam: BeamResult, away: float) -> list[Cell]:
     """Return the figures of a beam, in the order of the table; shear and torsion so far [m] from its ends."""
-    there = beam.away_from_ends(away)
-
-    def largest(values: Array) -> int:
-        return int(np.argmax(np.where(there, np.abs(values), -1.0)))
-
+    part = beam.between_ends(away)
     top, low = int(np.argmax(beam.moment)), int(np.argmin(beam.moment))
-    V, T, w = largest(beam.shear), largest(beam.torsion), beam.settlement * 1e3
+    V, T = int(np.argmax(np.abs(part.shear))), int(np.argmax(np.abs(part.torsion)))
+    w = beam.settlement * 1e3
     moments: list[Cell] = [beam.moment[top] / 1e3, beam.way[top], beam.moment[low] / 1e3, beam.way[low]]
-    return [*moments, beam.shear[V] / 1e3, beam.way[V], beam.torsion[T] / 1e3, w.min(), w.max()]
+    return [*moments, part.shear[V] / 1e3, part.way[V], part.torsion[T] / 1e3, w.min(), w.max()]
 
 
 def beam_reinforcement(combined: Results, steel: Reinforcement) -> Table:
@@ -76,7 +72,7 @@ def beam_reinforcement(combined: Results, steel: Reinforcement) -> Table:
     notes = (
         f"By {code.name} {code.beams.clauses}, over all ultimate combinations, in addition to the slab's bars. Moments "
         "and shear forces of ribs are those of the T or L: with the slab's own over the effective width. Shear forces "
-        "count from one height away from the beam's ends.",
+        "count from the effective depth away from the beam's ends.",
         "The least bars or links are in the unit of the required ones. Torsion is not designed for: it is that of "
         "compatibility (EN 1992-1-1 6.3.1(2), ACI 318-19 22.7.3.2). inf: the concrete is too weak for any "
         "reinforcement.",

@@ -57,7 +57,8 @@ def test_a_row_for_each_beam_and_combination_with_its_extremes(results: gs.Resul
     assert found["least moment"][0] == pytest.approx(beam.moment.min() / 1e3)
     assert np.interp(found["from the start to it"][0], beam.way, beam.moment) == pytest.approx(beam.moment.max())
     inside = (beam.way >= 0.25) & (beam.way <= 5.75)
-    assert abs(found["largest shear force"][0]) == pytest.approx(np.abs(beam.shear[inside]).max() / 1e3)
+    shear = np.abs([*beam.shear[inside], *np.interp([0.25, 5.75], beam.way, beam.shear)]).max()
+    assert abs(found["largest shear force"][0]) == pytest.approx(shear / 1e3)
     assert found["greatest settlement"][0] == pytest.approx(beam.settlement.max() * 1e3)
     assert all(error >= 0 for error in found["error of greatest moment"])
 
@@ -138,17 +139,20 @@ def test_eccentric_beams_show_their_axial_forces(tmp_path: Path) -> None:
     assert np.array_equal(again.elements.membrane_x, eccentric.only.elements.membrane_x)
 
 
-def test_the_ends_of_short_beams_leave_something_to_read() -> None:
-    """Away from the ends is a quarter of the length at most."""
+def test_parts_between_ends_begin_where_they_should() -> None:
+    """At the distance itself, between two places linear; a quarter of the length at most; a ring is whole."""
     way = np.linspace(0.0, 1.0, 9)
-    beam = BeamResult("short", np.column_stack([way, 0 * way]), way, way, way, way, way, 0 * way, 0 * way)
-    assert way[beam.away_from_ends(0.1)] == pytest.approx(way[1:-1])
-    assert way[beam.away_from_ends(2.0)] == pytest.approx(way[2:-2])
+    beam = BeamResult("short", np.column_stack([way, 0 * way]), way, way, way, 10 * way, *(0 * way,) * 4)
+    part = beam.between_ends(0.2)
+    assert part.way == pytest.approx([0.2, *way[2:-2], 0.8])
+    assert part.shear == pytest.approx([2.0, *10 * way[2:-2], 8.0])
+    assert part.nodes == pytest.approx(np.column_stack([part.way, 0 * part.way]))
+    assert beam.between_ends(2.0).way == pytest.approx(way[2:-2])
     ring = replace(beam, nodes=np.column_stack([np.sin(2 * np.pi * way), np.cos(2 * np.pi * way)]))
     assert not ring.closed  # but for rounding
     ring.nodes[-1] = ring.nodes[0]
     assert ring.closed
-    assert ring.away_from_ends(2.0).all()
+    assert ring.between_ends(2.0) is ring
 
 
 def test_reports_draw_beams(results: gs.Results) -> None:
