@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 import groundslab as gs
+from groundslab.design.basis.unjudged import GIVEN_SECTION
 from groundslab.design.beam_bars import BeamNeed, beam_needs
 from groundslab.design.result_tables import table_makers
 from groundslab.results.record import BeamResult
@@ -155,7 +156,7 @@ def test_checks_and_tables_say_it() -> None:
     given = results(steel, 0.0, 0.0)
     assert "beam_reinforcement" not in table_makers(given)
     (check,) = (each for each in gs.check_design(given).checks if each.name == "beams by their properties")
-    assert (check.status, check.words) == ("attention", "the strength of B is not checked")
+    assert (check.status, check.unjudged) == ("attention", GIVEN_SECTION)
 
 
 def test_the_shear_in_flanges_is_said_not_to_be_checked() -> None:

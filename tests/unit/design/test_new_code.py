@@ -13,6 +13,7 @@ import pytest
 from groundslab.arrays import Array
 from groundslab.design import bending
 from groundslab.design.basis.design_code import Clauses, DesignCode
+from groundslab.design.basis.unjudged import NO_RULE
 from groundslab.design.bending import BendingRule, Block
 from groundslab.design.checks import check_design
 from groundslab.design.codes import CODES
@@ -89,7 +90,8 @@ def test_checks_follow_a_third_code_and_leave_the_rest_open(third: Results) -> N
     assert bars.resistance == pytest.approx(math.pi * 1.2**2 / 4 / 0.15)
     for name in ("one-way shear", "punching", "distance and cover of bars"):
         assert checks[name].status == "attention"
-        assert checks[name].words == "not checked: Third has no rule for it here"
+        assert checks[name].unjudged is NO_RULE
+        assert checks[name].words.startswith("not judged: Third has no rule for it here; ")
 
 
 def test_the_key_offers_what_the_registry_has() -> None:

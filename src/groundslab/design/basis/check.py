@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import Literal
+from typing import Any, Literal
 
 from groundslab.design.basis.calculation import Step
+from groundslab.design.basis.unjudged import Unjudged
 from groundslab.unit_systems import System, unit_in, words_in
 
 Status = Literal["fails", "attention", "no failure found", "not checked"]
@@ -49,6 +50,8 @@ class DesignCheck:
         results. None where none is known, and where the demand does not depend on the mesh.
     steps : tuple of Step
         The calculation at the governing place, to be followed by hand; empty where there is none.
+    unjudged : Unjudged or None
+        Why there is no verdict; None where there is one.
     """
 
     name: str
@@ -65,6 +68,7 @@ class DesignCheck:
     foundation: bool = False
     error: float | None = None
     steps: tuple[Step, ...] = ()
+    unjudged: Unjudged | None = None
 
     @property
     def utilisation(self) -> float | None:
@@ -103,6 +107,11 @@ class DesignCheck:
             return None
         over, under = (self.resistance, demand) if self.least else (demand, self.resistance)
         return over / under if under else float("inf") if over else 0.0
+
+
+def not_judged(name: str, why: Unjudged, words: str, **about: Any) -> DesignCheck:
+    """Return a check that ends without a verdict, with what to do in its words."""
+    return DesignCheck(name, "attention", f"not judged: {words}; {why.do}", unjudged=why, **about)
 
 
 def in_units(check: DesignCheck, system: System) -> DesignCheck:

@@ -6,19 +6,21 @@ the checks say so.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import NamedTuple
 
 from groundslab.arrays import Array
 from groundslab.design.basis.bending_steps import BarsNeeded
 from groundslab.design.basis.calculation import Step
-from groundslab.design.basis.check import DesignCheck
+from groundslab.design.basis.check import DesignCheck, not_judged
 from groundslab.design.basis.detailing_rule import DetailingRule
 from groundslab.design.basis.punching_columns import Heads, PunchingColumns
 from groundslab.design.basis.shear_demand import ShearDemand
+from groundslab.design.basis.unjudged import NO_RULE
 from groundslab.design.basis.wide_beam import Cut
 from groundslab.design.bending import BendingRule
+from groundslab.design.demands.perimeter_loads import Reach
 from groundslab.design.demands.perimeters import SketchedPerimeter
 from groundslab.design.punching_links.demand import LinkDemand
 from groundslab.model.design.laid_bars import LaidBars
@@ -60,7 +62,8 @@ class ShearRule:
     least_share : float
         Bars that lie in each layer in any case, over the thickness.
     reach : callable or None
-        Of all combinations: how far from the face of columns punching is checked instead [m]; None for 2 d.
+        Of all combinations: how far from the face of columns and piles punching is checked instead [m]; 2 d where it
+        does not say.
     struts_fail : callable or None
         Of materials, a limit state, a force [N/m] and a depth [m]: whether struts fail, which is checked up to what
         presses there, too.
@@ -72,7 +75,7 @@ class ShearRule:
     check: Callable[[Reinforcement, ShearDemand], DesignCheck]
     most_ratio: float
     least_share: float = 0.0
-    reach: Callable[[Results], Mapping[str, float]] | None = None
+    reach: Callable[[Results], Reach] | None = None
     struts_fail: Callable[[Reinforcement, str, float, float], bool] | None = None
     cuts: Callable[[CombinationResult, Reinforcement], Iterator[Cut]] | None = None
 
@@ -175,4 +178,4 @@ class DesignCode:
 
 def no_rule(code: DesignCode, what: str) -> DesignCheck:
     """Return the check of what a code has no rule for here: it is open."""
-    return DesignCheck(what, "attention", f"not checked: {code.name} has no rule for it here")
+    return not_judged(what, NO_RULE, f"{code.name} has no rule for it here")

@@ -5,7 +5,7 @@ Another check is a function of CHECKS; its file names the clause of each check.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
 from groundslab.arrays import Memo
@@ -118,14 +118,28 @@ def _check_design(combined: Results) -> Design:
     hanging = sum(check.hangs for check in checked)
     of_them = f", {hanging} {_verb('hang', hanging)} on the discretization error" if hanging else ""
     total = f"{len(checked)} check{'s' if len(checked) > 1 else ''}"
+    left_open = _left_open(checked)
     if failing:
-        return Design("fails", _failure(checked[0], f"{failing} of {total} {_verb('fail', failing)}{of_them}"), checked)
+        return Design(
+            "fails",
+            _failure(checked[0], f"{failing} of {total} {_verb('fail', failing)}{of_them}") + left_open,
+            checked,
+        )
     if doubtful:
         words = f"DESIGN NEEDS ATTENTION: {doubtful} of {total} {_verb('need', doubtful)} it{of_them}."
-        return Design("attention", words, checked)
+        return Design("attention", words + left_open, checked)
     if checked:
         return Design("no failure found", f"No failure found in {total}{of_them}; {left}.", checked)
     return Design("not checked", f"{left[:1].upper()}{left[1:]}.")
+
+
+def _left_open(checked: Sequence[DesignCheck]) -> str:
+    """Return the sentence about checks that ended without a verdict, empty if all have one."""
+    names = [check.name for check in checked if check.unjudged is not None]
+    if not names:
+        return ""
+    listed = ", ".join(dict.fromkeys(names))
+    return f" Not judged: {len(names)} of {len(checked)} ({listed})."
 
 
 def _failure(worst: DesignCheck, count: str) -> str:
@@ -137,14 +151,19 @@ def _failure(worst: DesignCheck, count: str) -> str:
     return f"DESIGN FAILS: {times}{count}."
 
 
-def _order(check: DesignCheck) -> tuple[int, bool, float]:
+def _order(check: DesignCheck) -> tuple[int, bool, bool, float]:
     """Return where a check stands: by its status, failures of the foundation first, then the most used.
 
-    A failure without a number comes before those with one.
+    A failure without a number comes before those with one, a check without a verdict before others to look at.
     """
     used = check.utilisation
     status, fails = ORDER.index(check.status), check.status == "fails"
-    return status, not (fails and check.foundation), -(float("inf") if used is None and fails else used or 0.0)
+    return (
+        status,
+        not (fails and check.foundation),
+        check.unjudged is None,
+        -(float("inf") if used is None and fails else used or 0.0),
+    )
 
 
 def _verb(verb: str, count: int) -> str:

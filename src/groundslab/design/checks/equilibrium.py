@@ -11,8 +11,9 @@ from collections.abc import Iterator, Sequence
 from typing import Any, NamedTuple
 
 from groundslab.design.basis.calculation import MEGA, Step
-from groundslab.design.basis.check import ROUNDING, DesignCheck, Status, some
+from groundslab.design.basis.check import ROUNDING, DesignCheck, Status, not_judged, some
 from groundslab.design.basis.combinations import solved_results
+from groundslab.design.basis.unjudged import GLUED, UNSOLVED
 from groundslab.design.demands.loads import column_loads
 from groundslab.design.demands.perimeters import outline
 from groundslab.model.loads.load_cases import Combination
@@ -38,8 +39,7 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
         if made and state not in failed and any(combination.name in combined.results for combination in made):
             yield _balanced(combined, made)
     if combined.unsolved:
-        words = f"without a certified result, so not checked: {some(list(combined.unsolved))}"
-        yield DesignCheck("unsolved combinations", "attention", words)
+        yield not_judged("unsolved combinations", UNSOLVED, f"no certified result of {some(list(combined.unsolved))}")
 
 
 def _failure(combined: Results, combination: Combination) -> DesignCheck:
@@ -68,7 +68,8 @@ def _balanced(combined: Results, made: list[Combination]) -> DesignCheck:
     if numbers and numbers["demand"] > numbers["resistance"] * (1 + ROUNDING):
         status, words = "fails", "actions upwards exceed those downwards"
     elif not (numbers or combined.model.contact.tensionless):
-        status, words = "attention", "not judged: the plate is glued to the ground, which holds it against any load"
+        words = "the plate is glued to the ground, which holds it against any load"
+        return not_judged(name, GLUED, words, clause=clause, foundation=True)
     return DesignCheck(name, status, words, clause=clause, foundation=True, **numbers)
 
 

@@ -17,9 +17,10 @@ import numpy as np
 from groundslab.accuracy.singularities import find_limits
 from groundslab.accuracy.values import error_of_contact_share
 from groundslab.design.basis.calculation import Step
-from groundslab.design.basis.check import DesignCheck
+from groundslab.design.basis.check import DesignCheck, not_judged
 from groundslab.design.basis.combinations import solved_results, why_none
 from groundslab.design.basis.demand_errors import error_at_nodes, error_of, scaled
+from groundslab.design.basis.unjudged import NO_COMBINATION, ONE_COLUMN
 from groundslab.design.by_plate import results_by_plate
 from groundslab.design.checks import limit_steps
 from groundslab.design.demands.edge_strip import spread_edge_force, strip_width
@@ -237,8 +238,8 @@ def _check(key: str, allowed: float, results: list[CombinationResult], missing: 
     limit = LIMITS[key]
     demands = [(demand, result) for result in results if (demand := limit.demand(result)) is not None]
     if not demands:
-        what = "there are no two columns" if results else missing
-        return DesignCheck(limit.name, "attention", f"not checked: {what}", resistance=allowed, unit=limit.unit)
+        why, what = (ONE_COLUMN, "there are no two columns") if results else (NO_COMBINATION, missing)
+        return not_judged(limit.name, why, what, resistance=allowed, unit=limit.unit)
     demand, governing = (min if limit.least else max)(demands, key=lambda entry: entry[0].value)
     value, of, place = demand.value * limit.scale, demand.of, demand.place
     holds = value >= allowed if limit.least else value <= allowed

@@ -7,8 +7,9 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from groundslab.arrays import Array
-from groundslab.design.basis.check import DesignCheck
+from groundslab.design.basis.check import DesignCheck, not_judged
 from groundslab.design.basis.combinations import ultimate_results
+from groundslab.design.basis.unjudged import PULLS
 from groundslab.design.demands.perimeter_loads import PunchingForce, punching_columns, punching_piles
 from groundslab.design.demands.zones.thicker_zones import zone_forces
 from groundslab.results.results import CombinationResult, Results
@@ -22,13 +23,13 @@ MOST_NAMED = 5
 def checks(combined: Results) -> Iterator[DesignCheck]:
     """Yield which columns, piles and zones pull at the plate, or only turn it, in any ultimate combination."""
     results = ultimate_results(combined)
-    yield from _checks(punching_columns(combined.model), results, "column", "push down")
-    yield from _checks(punching_piles(combined.model), results, "pile", "push up")
-    yield from _checks(zone_forces(combined), results, "thicker zone", "push down")
+    yield from _checks(punching_columns(combined.model), results, "column", "columns that do not push down")
+    yield from _checks(punching_piles(combined.model), results, "pile", "piles that do not push up")
+    yield from _checks(zone_forces(combined), results, "thicker zone", "thicker zones that do not push down")
 
 
 def _checks(
-    forces: Sequence[PunchingForce], results: list[CombinationResult], one: str, push: str
+    forces: Sequence[PunchingForce], results: list[CombinationResult], one: str, which: str
 ) -> Iterator[DesignCheck]:
     """Yield that some do not push, with the combination in which each pulls most."""
     if not forces or not results:
@@ -44,8 +45,8 @@ def _checks(
     if words:
         more = f"; and {len(words) - MOST_NAMED} more" if len(words) > MOST_NAMED else ""
         listed = "; ".join(words[:MOST_NAMED])
-        text = f"not judged where {one}s do not {push}: {listed}{more}"
-        yield DesignCheck(f"punching by {one}s that pull", "attention", text, combination=governing)
+        text = f"{which}: {listed}{more}"
+        yield not_judged(f"punching by {one}s that pull", PULLS, text, combination=governing)
 
 
 def _worst(pushing: Array, least: float) -> int | None:

@@ -13,9 +13,10 @@ from dataclasses import replace
 import numpy as np
 
 from groundslab.design.basis.calculation import MEGA, Step
-from groundslab.design.basis.check import DesignCheck, Status, some
+from groundslab.design.basis.check import DesignCheck, Status, not_judged, some
 from groundslab.design.basis.combinations import solved_results
 from groundslab.design.basis.demand_errors import error_of, scaled
+from groundslab.design.basis.unjudged import NO_LIMIT
 from groundslab.design.demands.support_forces import NOTHING, REACHED, Utilization, idle, limits_of, utilization
 from groundslab.model.loads.clipping import Clipped, find_clipped_loads
 from groundslab.model.loads.load_cases import STRENGTH
@@ -134,8 +135,8 @@ def _without_resistance(results: list[CombinationResult]) -> Iterator[DesignChec
         yield DesignCheck(WITHOUT, "not checked", words, clause="EN 1997-1 7.6.2, 7.6.3")
     if half:
         listed = "; ".join(words for words, _ in half[:MOST_NAMED]) + (" ..." if len(half) > MOST_NAMED else "")
-        words = f"not checked, without a limit that way: {listed}"
-        yield DesignCheck(WITHOUT, "attention", words, clause="EN 1997-1 7.6.2, 7.6.3", combination=half[0][1])
+        words = f"without a limit that way, {listed}"
+        yield not_judged(WITHOUT, NO_LIMIT, words, clause="EN 1997-1 7.6.2, 7.6.3", combination=half[0][1])
 
 
 def _error(described: AnySupport, number: int, results: CombinationResult, limit: float) -> float | None:

@@ -11,9 +11,10 @@ from collections.abc import Iterator
 import numpy as np
 
 from groundslab.design import beam_bars, required_bars
-from groundslab.design.basis.check import DesignCheck
+from groundslab.design.basis.check import DesignCheck, not_judged, some
 from groundslab.design.basis.combinations import UNFACTORED, ultimate_results, why_none, without_partial_factors
 from groundslab.design.basis.design_code import DesignCode, no_rule
+from groundslab.design.basis.unjudged import GIVEN_SECTION
 from groundslab.design.checks import pulling
 from groundslab.design.codes import code_of
 from groundslab.model.loads.load_cases import STRENGTH
@@ -60,8 +61,7 @@ def _beams(combined: Results, code: DesignCode) -> Iterator[DesignCheck]:
         return
     given = [beam.name for beam in combined.model.beams if isinstance(beam.section, GivenSection)]
     if given:
-        words = f"the strength of {', '.join(given[:5])}{' ...' if len(given) > 5 else ''} is not checked"
-        yield DesignCheck("beams by their properties", "attention", words)
+        yield not_judged("beams by their properties", GIVEN_SECTION, f"the strength of {some(given)}")
     if any(isinstance(beam.section, RibSection) for beam in combined.model.beams):
         yield DesignCheck("flanges", "not checked", "the shear between ribs and their flanges is not checked")
     needs = beam_bars.beam_needs(combined, steel)

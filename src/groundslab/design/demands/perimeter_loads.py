@@ -27,10 +27,12 @@ from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.model.model import Model
 from groundslab.model.structure.columns import Column
 from groundslab.model.supports import LineSupport
+from groundslab.results.record import SupportResult
 from groundslab.results.results import CombinationResult
 
 if TYPE_CHECKING:
     from shapely import LineString, Polygon
+    from shapely.geometry.base import BaseGeometry
 
 #: What lies inside a perimeter that runs out to a corner is at most so many times its distance away.
 CORNER_REACH = 1 + math.sqrt(2)
@@ -41,6 +43,8 @@ NEAR_BY = 1e-6
 Place = TypeVar("Place")
 #: What a check knows of the place of a column (False) or a pile (True), by its name.
 Places = dict[tuple[bool, str], Place]
+#: How far from the face of a column or a pile punching is checked [m], and one-way shear beyond.
+Reach = Mapping[tuple[bool, str], float]
 
 
 def pushing_forces(
@@ -188,7 +192,7 @@ class PerimeterLoads:
     edge_nodes: Integers  # (e,)
     edge: Array  # (e,): these nodes' shares of the length of the plate's edge inside [m]
     others: Mapping[str, Array]  # (3,): other loads [N] and their first moments [N m], by load case
-    supported: bool  # whether another support stands inside, whose force is not counted
+    supports: tuple[int, ...] = ()  # numbers of the other supports inside, from 0
     crossings: tuple[Crossing, ...] = ()  # of beams
 
 
@@ -219,6 +223,7 @@ class PunchingShear:
     pressure: float  # of the ground inside [N]
     edge: float  # line force of the ground along the plate's edge inside [N]
     others: float  # other loads inside, and shear forces of beams across the perimeter [N]
+    supported: bool  # whether another support inside takes off a part of V, which is not counted
 
 
 @dataclass(frozen=True, slots=True)
@@ -227,7 +232,7 @@ class LoadsNear:
 
     elements: Integers
     shapes: column_loads.Shapes  # without the loads of the column itself
-    supports: tuple[Polygon, ...]  # places of the other supports
+    supports: tuple[tuple[int, BaseGeometry], ...]  # numbers and places of the other supports
 
     def inside(self, results: CombinationResult, part: Polygon) -> PerimeterLoads:
         """Return the loads inside a perimeter that cuts off a part of the plate."""
@@ -245,9 +250,9 @@ class LoadsNear:
         area = scatter(mesh.elements[self.elements], shares, len(mesh.nodes))
         nodes = np.flatnonzero(area)
         others = column_loads.acting_inside(results, part, (), self.shapes, (self.elements, shares))
-        supported = any(map(part.intersects, self.supports))
+        supports = tuple(number for number, place in self.supports if part.intersects(place))
         crossings = tuple(_crossings(results.model, part))
-        return PerimeterLoads(nodes, area[nodes], *edge_inside(results.plate, part), others, supported, crossings)
+        return PerimeterLoads(nodes, area[nodes], *edge_inside(results.plate, part), others, supports, crossings)
 
 
 def reach_of(line: Perimeter, distance: float) -> float:
@@ -263,7 +268,7 @@ def loads_near(results: CombinationResult, punching: PunchingForce, within: floa
     part = punching.footprint.footprint().buffer(CORNER_REACH * within)
     mesh = Mesh(results.plate.nodes, results.plate.elements)
     supports = tuple(
-        LineString(support.points) if support.edges else Point(support.points[0])
+        (number, LineString(support.points) if support.edges else Point(support.points[0]))
         for number, support in enumerate(model.supports)
         if number not in punching.supports
     )
@@ -278,7 +283,8 @@ def punching_shear(
 
     Of a column V is its force and the other loads inside less the ground's pressure there; of a pile its force and the
     pressure less the loads. What beams carry out of the perimeter does not punch. The edge's line force inside is taken
-    off only where the case says so, but added in any case where it adds.
+    off only where the case says so, but added in any case where it adds. What other supports inside take off is not
+    counted either, as each may stand on the perimeter itself; what they add is.
     """
     sign = -1.0 if punching.from_below else 1.0
     plate = results.plate
@@ -290,8 +296,16 @@ def punching_shear(
     acting = np.array([force, *(force * np.array(punching.place))]) + sign * (others - pressure)
     if edge_relieves or sign * edge[0] < 0:
         acting = acting - sign * edge
+    along = [-sign * _force_of(results.supports[number]) for number in inside.supports]
+    acting = sum((force for force in along if force[0] > 0), acting)
     moments = np.array(own_moments) + acting[1:] - acting[0] * center
-    return PunchingShear(float(acting[0]), moments, float(pressure[0]), float(edge[0]), float(others[0]))
+    supported = any(force[0] < 0 for force in along)
+    return PunchingShear(float(acting[0]), moments, float(pressure[0]), float(edge[0]), float(others[0]), supported)
+
+
+def _force_of(support: SupportResult) -> Array:
+    """Return the force of a support on the plate, upwards [N], and its first moments (3,) [N m]."""
+    return _with_moments(support.force, support.nodes)
 
 
 def _crossings(model: Model, part: Polygon) -> Iterator[Crossing]:

@@ -33,6 +33,7 @@ EN1992_2023 = DesignCode(
         resistance=one_way_shear.resistance,
         check=one_way_shear.check,
         most_ratio=shear.MOST_BARS,
+        reach=one_way_shear.reach,
         struts_fail=one_way_shear.struts_fail,
     ),
     punching=PunchingRule(

@@ -14,13 +14,15 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from groundslab.design.basis.calculation import Step
-from groundslab.design.basis.check import DesignCheck
-from groundslab.design.basis.combinations import ultimate_results
+from groundslab.design.basis.check import DesignCheck, not_judged
+from groundslab.design.basis.combinations import ultimate_results, why_none
 from groundslab.design.basis.demand_errors import error_of, scaled
+from groundslab.design.basis.unjudged import NO_COMBINATION
 from groundslab.design.demands.perimeters import outline
 from groundslab.design.en1997 import bearing
 from groundslab.design.en1997.bearing_steps import bearing_steps, sliding_steps
 from groundslab.model.design.limits import SoilStrength
+from groundslab.model.loads.load_cases import STRENGTH
 from groundslab.results.results import CombinationResult, Results
 
 if TYPE_CHECKING:
@@ -60,8 +62,8 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
     if strength is None:
         return
     if not results:
-        words = "not checked: no ultimate combination has a certified result"
-        yield DesignCheck("bearing resistance", "attention", words, clause="EN 1997-1 6.5.2")
+        words = why_none(combined, STRENGTH, "ultimate combination")
+        yield not_judged("bearing resistance", NO_COMBINATION, words, clause="EN 1997-1 6.5.2")
         return
     soil = _design_soil(strength)
     base = outline(results[0].plate)

@@ -13,9 +13,10 @@ import numpy as np
 
 from groundslab.arrays import Array
 from groundslab.design.basis.calculation import MEGA, Step
-from groundslab.design.basis.check import DesignCheck
+from groundslab.design.basis.check import DesignCheck, not_judged
 from groundslab.design.basis.combinations import solved_results, why_none
 from groundslab.design.basis.demand_errors import greatest_moments, scaled
+from groundslab.design.basis.unjudged import NO_COMBINATION
 from groundslab.design.demands.design_moments import design_moments
 from groundslab.design.eurocode2.cracked_sections import Bars
 from groundslab.model.design.laid_bars import LaidBars, axis_of
@@ -192,8 +193,8 @@ def check_cracks(
     """
     (f_yk, w_max), (stresses, widths) = limits, fields
     if not stresses:
-        words = f"not checked: {why_none(combined, ('quasi-permanent',), 'quasi-permanent combination')}"
-        yield DesignCheck("crack width", "attention", words, resistance=w_max * MM, unit="mm")
+        words = why_none(combined, ("quasi-permanent",), "quasi-permanent combination")
+        yield not_judged("crack width", NO_COMBINATION, words, resistance=w_max * MM, unit="mm")
         return
     for stress, crack in zip(stresses, widths, strict=True):
         name = f"crack width at the {crack.layer.replace('_', ' ')}"

@@ -16,9 +16,10 @@ import numpy as np
 
 from groundslab.arrays import Array
 from groundslab.design import punching
-from groundslab.design.basis.check import DesignCheck
+from groundslab.design.basis.check import DesignCheck, not_judged
 from groundslab.design.basis.combinations import solved_results, ultimate_results, why_none
 from groundslab.design.basis.demand_errors import MOMENT, error_at_nodes, error_of, scaled
+from groundslab.design.basis.unjudged import NO_COMBINATION, NO_PERIMETER
 from groundslab.design.by_plate import split_by_plate
 from groundslab.design.demands.design_moments import principal_moments
 from groundslab.design.demands.perimeters import surroundings
@@ -98,7 +99,7 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
     decisive = ultimate_results(combined) if by_tr34 else _serviceable(combined)
     if not decisive:
         states = (STRENGTH, "ultimate combination") if by_tr34 else (SERVICEABILITY, "serviceability combination")
-        yield DesignCheck("floor", "attention", f"not checked: {why_none(combined, *states)}")
+        yield not_judged("floor", NO_COMBINATION, why_none(combined, *states))
         return
     transfers = []
     for name, results in _split_by_plate(decisive).items():
@@ -197,7 +198,7 @@ def _punching(floor: TR34Floor, concrete: Concrete, slab: Slab, standing: Standi
             at_face = P / (face_length(surroundings(result.plate, column, 0.0, openings(d)), d) * d)
             around = punching.demand(result.plate, column, d, P).v_Ed
         except InputError as error:
-            yield DesignCheck("punching", "attention", f"{location}: not judged, {error}", of=location)
+            yield not_judged("punching", NO_PERIMETER, f"{location}, {error}", of=location)
             continue
         change = error_of(result, lambda mesh: punching.demand(mesh.plate, column, d, P).v_Ed)  # noqa: B023  made at once
         rows = (("punching at the footprint", at_face, None), ("punching", around, change))

@@ -7,13 +7,15 @@ from collections.abc import Iterator
 import numpy as np
 
 from groundslab.design.basis.calculation import MEGA, Step
-from groundslab.design.basis.check import DesignCheck, some
-from groundslab.design.basis.combinations import ultimate_results
+from groundslab.design.basis.check import DesignCheck, not_judged, some
+from groundslab.design.basis.combinations import ultimate_results, why_none
 from groundslab.design.basis.demand_errors import error_of, scaled
+from groundslab.design.basis.unjudged import NO_COMBINATION, NO_CONCRETE
 from groundslab.design.en1992.materials import CONCRETE_CLASSES
 from groundslab.design.floors import dowels as tr34
 from groundslab.design.floors.dowels import FORMULAS, GAMMA_S, Dowel
 from groundslab.model.design.floors import TR34Floor
+from groundslab.model.loads.load_cases import STRENGTH
 from groundslab.model.model import Model
 from groundslab.model.plates.joints import Dowels
 from groundslab.results.record import JointResult
@@ -36,9 +38,11 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
         return
     strength = _concrete(combined.model)
     if strength is None or not results:
-        what = "no ultimate combination has a certified result" if strength else "neither [floor] by TR34 nor "
-        words = f"not checked: {what}" + ("" if strength else "[reinforcement] gives the concrete")
-        yield DesignCheck(DOWELS, "attention", words, clause=_CLAUSE)
+        why = NO_COMBINATION if strength else NO_CONCRETE
+        words = "neither [floor] by TR34 nor [reinforcement] gives the concrete"
+        if strength:
+            words = why_none(combined, STRENGTH, "ultimate combination")
+        yield not_judged(DOWELS, why, words, clause=_CLAUSE)
         return
     yield DesignCheck(BURSTING, "not checked", "bursting of the concrete at dowels is not checked")
     for number, joint in enumerate(joints):

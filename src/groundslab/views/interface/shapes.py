@@ -75,6 +75,13 @@ class CalculationStep(TypedDict):
     clause: str
 
 
+class Unjudged(TypedDict):
+    """A way in which checks end without a verdict, and what the engineer is to do."""
+
+    name: str
+    do: str
+
+
 class Check(TypedDict):
     """A design check at its governing place; `utilisation` is null without numbers and where nothing resists."""
 
@@ -95,6 +102,7 @@ class Check(TypedDict):
     utilisation: float | None
     between: list[float | None] | None
     steps: list[CalculationStep]
+    unjudged: Unjudged | None
 
 
 class Design(TypedDict):

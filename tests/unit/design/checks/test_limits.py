@@ -155,10 +155,10 @@ def test_limits_without_results_need_attention() -> None:
         name: InputError([]) for name in ("SLS 1", "SLS 2")})  # fmt: skip
     design = check_design(alone)
     assert [each.status for each in design.checks] == ["attention", "attention"]
-    assert design.checks[0].words.endswith('not checked: "SLS 1", "SLS 2"')
+    assert design.checks[0].words.startswith('not judged: no certified result of "SLS 1", "SLS 2"')
     none = replace(alone, combinations=combined.combinations[:1], refused={})
     words = [each.words for each in check_design(none).checks]
-    assert "not checked: the case has no serviceability combination" in words
+    assert "not judged: the case has no serviceability combination; add such a combination" in words
 
 
 def test_no_limit_is_an_error() -> None:

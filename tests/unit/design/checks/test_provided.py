@@ -168,7 +168,7 @@ def test_restraint_that_is_not_checked_is_told() -> None:
     one = synthetic.results(6, model=model, combination="ULS", limit_state="ultimate", factors=(("G", 1.35),))
     design = check_design(Results(model, model.combinations[:1], {"ULS": one}, {}))
     (row,) = [check for check in design.checks if check.name == "bars against restraint"]
-    assert (row.status, row.words.partition(";")[0]) == ("attention", "not checked, as no bars are laid")
+    assert (row.status, row.words.partition(";")[0]) == ("attention", "not judged: no bars are laid")
     yielding = checks(0.0, **LAID, restraint={}, w_max=3e-4)["crack width by restraint"]
     assert (yielding.status, yielding.utilisation) == ("attention", None)
     assert "crack width by restraint" not in checks(0.0, **THICK, restraint={})

@@ -189,7 +189,7 @@ def test_piles_without_a_resistance() -> None:
     pulled = solved(**CONTINUUM, loads=up, supports=[PILE | {"limit": 20e3, "x": x, "y": y} for x, y in places])
     (check,) = rows(reached.WITHOUT, pulled)
     assert check.status == "attention"
-    assert check.words.startswith('not checked, without a limit that way: support 1 54 kN in tension in "ULS"; ')
+    assert check.words.startswith('not judged: without a limit that way, support 1 54 kN in tension in "ULS"; ')
 
 
 def test_partial_factors_go_with_characteristic_resistances() -> None:

@@ -18,6 +18,7 @@ from groundslab.design.aci318.checks.wall_ends import wall_two_way
 from groundslab.design.aci318.materials import PHI_SHEAR
 from groundslab.design.basis.check import DesignCheck, Status
 from groundslab.design.basis.demand_errors import error_of_ratio, scaled
+from groundslab.design.basis.punching_checks import judged, with_the_rest
 from groundslab.design.basis.wall_ends import NO_WALL, loaded_ends
 from groundslab.design.demands.perimeter_loads import punching_piles
 from groundslab.design.demands.zones.thicker_zones import NONE, zone_forces
@@ -34,10 +35,7 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
     if punching_piles(combined.model):
         yield from _checks(steel, pile_two_way(combined), "two-way shear over piles", ("pile", "no pile pushes up"))
     if zone_forces(combined):
-        known, missing = zone_two_way(combined)
-        # where a zone reaches from edge to edge, one-way shear is checked beside it
-        missing = {name: why for name, why in missing.items() if why != CUT}
-        yield from _checks(steel, (known, missing), "two-way shear around thicker zones", ("thicker zone", NONE))
+        yield from _checks(steel, zone_two_way(combined), "two-way shear around thicker zones", ("thicker zone", NONE))
     if loaded_ends(combined.model):
         yield from _checks(steel, (wall_two_way(combined), {}), "two-way shear at walls' ends", ("wall end", NO_WALL))
 
@@ -51,23 +49,16 @@ def _checks(
     """Yield the check of columns that push down, or piles that push up, and which of them it leaves out."""
     known, missing = demands
     one, none = pushing
-    judged = [demand for demand in known.values() if not demand.supported]
-    unjudged = sorted({demand.name for demand in known.values() if demand.supported} | missing.keys())
-    if judged:
-        worst = max(judged, key=lambda demand: demand.v_u / strength(demand, steel))
-        beside = [demand for demand in judged if demand.combination == worst.combination]
-        error = error_of_ratio((demand.v_u, strength(demand, steel), demand.error) for demand in beside)
-        yield _worst(worst, steel, name, scaled(error, strength(worst, steel) / 1e6))
-    elif not unjudged:
-        yield DesignCheck(name, "no failure found", none)
-    if unjudged:
-        listed = ", ".join(unjudged[:5]) + (" ..." if len(unjudged) > 5 else "")
-        words = f"not judged, with a support inside or no critical section on the plate: {one}s {listed}"
-        yield DesignCheck(f"{name} of some {one}s", "attention", words)
+    those, supported = judged(known.values(), lambda demand: demand.v_u / strength(demand, steel))
+    check = _worst(those, steel, name) if those else None
+    yield from with_the_rest(check, name, (f"{one}s", none, CUT), supported, missing)
 
 
-def _worst(demand: TwoWay, steel: Reinforcement, name: str, error: float | None) -> DesignCheck:
-    """Return the check of the column or pile that is used most, with the error of its demand [MPa]."""
+def _worst(demands: list[TwoWay], steel: Reinforcement, name: str) -> DesignCheck:
+    """Return the check of the column or pile that is used most."""
+    demand = max(demands, key=lambda each: each.v_u / strength(each, steel))
+    beside = [each for each in demands if each.combination == demand.combination]
+    error = error_of_ratio((each.v_u, strength(each, steel), each.error) for each in beside)
     v_u, resistance = max(demand.v_u, 0.0), strength(demand, steel)
     words = (
         f'{demand.name} in "{demand.combination}": v_u {v_u / 1e6:.3g} MPa on b_o {demand.b_o:.2f} m is '
@@ -88,5 +79,5 @@ def _worst(demand: TwoWay, steel: Reinforcement, name: str, error: float | None)
     return DesignCheck(
         name, status, words, of=demand.name, demand=v_u / 1e6, resistance=resistance / 1e6, unit="MPa",
         clause="ACI 318-19 22.6.5.2, 8.4.4.2", combination=demand.combination, place=demand.place,
-        error=error,
+        error=scaled(error, resistance / 1e6),
     )  # fmt: skip

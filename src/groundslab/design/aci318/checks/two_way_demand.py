@@ -44,7 +44,7 @@ class TwoWay:
     pressure: float  # contact pressure inside [N]
     edge: float  # line force along the plate's edge inside [N]
     others: float  # other loads inside [N]
-    supported: bool  # whether another support stands inside, whose force is not in V_u
+    supported: bool  # whether another support inside takes off a part of V_u, which is not counted
     place: tuple[float, float]  # of the column [m]
     error: Callable[[], float | None] = field(repr=False, compare=False)  # of v_u [Pa]
     transfer: aci318.Transfer | None = field(default=None, repr=False, compare=False)  # of a column or pile
@@ -170,7 +170,7 @@ def demand_on(
         shear.pressure,
         shear.edge,
         shear.others,
-        section.loads.supported,
+        shear.supported,
         punching.place,
         lambda: error_of(results, lambda mesh: _transfer(_shear(mesh, section, punching, steel), section).v_u),
         transfer,

@@ -62,7 +62,7 @@ def _governing(demands: Iterable[TwoWay], steel: Reinforcement, one: Pushing | N
     governing: dict[str, TwoWay] = {}
     for demand in demands:
         known = governing.get(demand.name)
-        if not demand.supported and demand.v_u > (0.0 if known is None else known.v_u):
+        if demand.v_u > (0.0 if known is None else known.v_u):
             governing[demand.name] = demand
     for demand in sorted(governing.values(), key=lambda each: -each.v_u / strength(each, steel)):
         line, place = demand.line, np.array(demand.place)

@@ -15,6 +15,7 @@ from groundslab.design.by_plate import distances_to_edges, farthest_from_edges, 
 from groundslab.design.checks.one_way_shear.faces import Bearer, pressing, region_within_d, webs_of
 from groundslab.design.demands.line_traversal import interpolation, pieces
 from groundslab.design.demands.loads.column_loads import factors_of
+from groundslab.design.demands.perimeter_loads import Reach
 from groundslab.design.demands.perimeters import outline
 from groundslab.design.required_bars import largest_areas, required_areas
 from groundslab.fem.mesh import Mesh
@@ -78,7 +79,7 @@ class ShearPlaces:
 
     nodes: Places
     bearers: list[Bearer]
-    reach: Mapping[str, float]  # how far from columns punching is checked [m], by name
+    reach: Reach  # how far from columns and piles punching is checked [m]
     _known: dict[tuple[int, ...], PlacesByReach] = field(default_factory=dict)
 
     def of(self, results: CombinationResult) -> PlacesByReach:
@@ -104,10 +105,8 @@ class ShearPlaces:
         return PlacesByReach((beyond,) if at_d is None else (beyond, at_d), nodes.of(nodes.counts & near & ~on_web))
 
 
-def nodes_of(
-    steel: Reinforcement, rule: ShearRule, results: list[CombinationResult], reach: Mapping[str, float]
-) -> Places:
-    """Return the plate's nodes; `reach` is how far from columns punching is checked [m], else 2 d."""
+def nodes_of(steel: Reinforcement, rule: ShearRule, results: list[CombinationResult], reach: Reach) -> Places:
+    """Return the plate's nodes; `reach` is how far from columns and piles punching is checked [m], else 2 d."""
     plate = results[0].plate
     thickness = results[0].elements.at_nodes(plate)[0]
     d = thickness - max(sum(steel.bottom_axes), sum(steel.top_axes)) / 2
@@ -129,7 +128,7 @@ def _on_border(
     region: BaseGeometry,
     shapes: list[BaseGeometry],
     nodes: Places,
-    reach: Mapping[str, float],
+    reach: Reach,
 ) -> Places | None:
     """Return the places on the plate along the border of what lies within d of some shapes, None if there are none.
 
@@ -172,16 +171,19 @@ def _polygons(mesh: Mesh) -> Array:
     return cells
 
 
-def _counts(results: CombinationResult, xy: Array, d: Array, thickness: Array, reach: Mapping[str, float]) -> Flags:
+def _counts(results: CombinationResult, xy: Array, d: Array, thickness: Array, reach: Reach) -> Flags:
     """Return at which places (k, 2) one-way shear is checked, whatever acts."""
-    from shapely import LineString, Point, distance, points, union_all
+    from shapely import LineString, Point, distance, points
 
     model, places = results.solved_model, points(xy)
     chord = 1e-3 * max(model.sides)
-    nearer = [distance(places, column.to_shapely(chord)) <= reach.get(column.name, 2 * d) for column in model.columns]
-    stands = [LineString(support.points) if support.edges else Point(support.points[0]) for support in model.supports]
-    far = distance(places, union_all(stands)) > 2 * d if stands else np.ones(len(places), dtype=bool)
-    far = far & ~np.any(nearer, axis=0) if nearer else far
+    nearer = [
+        distance(places, column.to_shapely(chord)) <= reach.get((False, column.name), 2 * d) for column in model.columns
+    ]
+    for number, support in enumerate(model.supports, start=1):
+        shape = LineString(support.points) if support.edges else Point(support.points[0])
+        nearer.append(distance(places, shape) <= reach.get((True, support.name or f"support {number}"), 2 * d))
+    far = ~np.any(nearer, axis=0) if nearer else np.ones(len(places), dtype=bool)
     # of a narrow slab the middle half counts in any case
     middle = farthest_from_edges(results) / 2
     inner = distances_to_edges(results, xy) > np.minimum(thickness, middle)

@@ -7,8 +7,9 @@ from collections.abc import Iterator
 from groundslab.arrays import Array
 from groundslab.design.basis.bar_checks import check_clear, check_cover, check_spacing
 from groundslab.design.basis.calculation import Step
-from groundslab.design.basis.check import DesignCheck
+from groundslab.design.basis.check import DesignCheck, not_judged
 from groundslab.design.basis.combinations import solved_results
+from groundslab.design.basis.unjudged import OTHER_STANDARD
 from groundslab.design.en1992 import cracking
 from groundslab.design.en1992.annex import annex_of
 from groundslab.design.en1992.case_materials import least_cover, materials, strengths, widest_crack
@@ -96,7 +97,7 @@ def _cover(steel: Reinforcement) -> DesignCheck:
     annex, exposure = annex_of(steel.annex), steel.exposure
     clause = "EN 1992-1-1 4.4.1"
     if exposure is not None and exposure not in annex.c_min_dur:
-        return DesignCheck("cover", "attention", "not checked: this annex leaves it to another standard", clause=clause)
+        return not_judged("cover", OTHER_STANDARD, "this annex leaves it to another standard", clause=clause)
     least = {layer: [least_cover(steel, bars.diameter) or 0.0 for bars in bars_of(steel, layer)] for layer in LAYERS}
     where = (
         "in any exposure (bond, 4.4.1.2(3)); durability is not checked without exposure" if exposure is None

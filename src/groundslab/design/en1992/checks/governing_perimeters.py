@@ -72,7 +72,7 @@ def _demands(combined: Results, forces: tuple[PunchingForce, ...], zones: tuple[
     results = ultimate_results(combined)
     governing: dict[tuple[str, str], Demand] = {}
     missing: dict[str, str] = {}
-    reach: dict[str, float] = {}
+    reach: dict[tuple[bool, str], float] = {}
     if steel is None:
         return Demands(governing, missing, {punching.name: punching.place for punching in forces}, reach)
     make = partial(_site, steel=steel, zones=zones)
@@ -82,7 +82,7 @@ def _demands(combined: Results, forces: tuple[PunchingForce, ...], zones: tuple[
             missing[punching.name] = why
         # beyond d from the face, where uniform loads are, one-way shear is checked in any case (6.2.1(8))
         last = max((stress.distance for demand in of_combinations for stress in demand.around), default=0.0)
-        reach[punching.name] = max(site.d, last)
+        reach[punching.key] = max(site.d, last)
         governing |= {(demand.combination, punching.name): demand for demand in of_combinations}
     return Demands(governing, missing, {punching.name: punching.place for punching in forces}, reach)
 
@@ -297,7 +297,7 @@ def _next_distance(made: list[Demand], d: float) -> float | None:
         return None
     demand, top = max(governing, key=lambda one: one[0].used(one[1]))
     a = np.array([0.0, *(stress.distance for stress in demand.around)])
-    y = np.array([0.0, *(0.0 if stress.supported else demand.used(stress) for stress in demand.around)])
+    y = np.array([0.0, *map(demand.used, demand.around)])
     i = int(np.argmax(y))
     if y[i] <= 0:
         return None
@@ -360,7 +360,7 @@ def _stress(results: CombinationResult, site: _Site, control: ControlPerimeter) 
         shear.V,
         beta,
         v_Ed,
-        control.loads.supported,
+        shear.supported,
         shear.pressure,
         shear.edge,
         shear.others,

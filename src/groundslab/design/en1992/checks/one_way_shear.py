@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 
 import numpy as np
 
@@ -10,9 +10,10 @@ from groundslab.arrays import Array
 from groundslab.design.basis.calculation import MEGA, Step
 from groundslab.design.basis.check import DesignCheck, Status
 from groundslab.design.basis.shear_demand import ShearDemand
+from groundslab.design.demands.perimeter_loads import Reach
 from groundslab.design.en1992 import shear
 from groundslab.design.en1992.case_materials import largest_cover, materials
-from groundslab.design.en1992.checks.governing_perimeters import demands
+from groundslab.design.en1992.checks.governing_perimeters import demands, pile_demands
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.results import Results
 
@@ -20,9 +21,9 @@ from groundslab.results.results import Results
 LEAST_WITH_LINKS = 0.2
 
 
-def reach(combined: Results) -> Mapping[str, float]:
-    """Return how far from the face of columns punching is checked instead [m], by name."""
-    return demands(combined).reach
+def reach(combined: Results) -> Reach:
+    """Return how far from the face of columns and piles punching is checked instead [m]."""
+    return {**demands(combined).reach, **pile_demands(combined).reach}
 
 
 def resistance(steel: Reinforcement, limit_state: str, d: Array, rho: Array) -> Array:

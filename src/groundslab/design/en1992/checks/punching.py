@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
+from functools import partial
 from typing import Any, NamedTuple
 
 from groundslab.design.basis.check import DesignCheck, Status
 from groundslab.design.basis.demand_errors import error_of_ratio, scaled
+from groundslab.design.basis.punching_checks import judged, with_the_rest
 from groundslab.design.basis.wall_ends import NO_WALL, loaded_ends
 from groundslab.design.demands.perimeter_loads import punching_piles
 from groundslab.design.demands.zones.thicker_zones import NONE, zone_forces
@@ -25,8 +27,28 @@ LAST_LINKS = 1.5
 #: How many perimeters of links there are at least (9.4.3(1)).
 LEAST_PERIMETERS = 2
 
-#: A demand, the stress on one of its perimeters, and what resists it there [Pa].
-Judged = tuple[Demand, Stress, float]
+
+class Judged(NamedTuple):
+    """A demand, the stress on one of its perimeters, and what resists it there."""
+
+    demand: Demand
+    stress: Stress
+    resistance: float  # [Pa]
+
+    @property
+    def name(self) -> str:
+        """Return what punches."""
+        return self.demand.name
+
+    @property
+    def supported(self) -> bool:
+        """Return whether a support inside takes off a part, which is not counted."""
+        return self.stress.supported
+
+    @property
+    def share(self) -> float:
+        """Return the stress over what resists it."""
+        return self.stress.v_Ed / self.resistance
 
 
 class Names(NamedTuple):
@@ -61,67 +83,79 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
     if punching_piles(combined.model):
         yield from _checks(steel, pile_demands(combined), PILES)
     if zone_forces(combined):
-        around = zone_demands(combined)
-        # where a zone reaches from edge to edge, one-way shear is checked beside it
-        missing = {name: why for name, why in around.missing.items() if why != CUT}
-        yield _within_2d(steel, replace(around, missing=missing), ZONES)
+        yield from _within_2d(steel, zone_demands(combined), ZONES)
     if loaded_ends(combined.model):
-        yield _within_2d(steel, wall_demands(combined), WALLS)
+        yield from _within_2d(steel, wall_demands(combined), WALLS)
 
 
 def _checks(steel: Reinforcement, punched: Demands, names: Names) -> Iterator[DesignCheck]:
     """Yield the checks at faces and around."""
-    face = _face(steel, punched, names)
-    if face is not None:
-        yield face
-    yield _within_2d(steel, punched, names)
+    if en1992.max_resistance(materials(steel)[0]) is not None:
+        yield from _face(steel, punched, names)
+    yield from _within_2d(steel, punched, names)
 
 
-def _face(steel: Reinforcement, punched: Demands, names: Names) -> DesignCheck | None:
-    """Return whether punching exceeds v_Rd,max at any face (EN 1992-1-1 6.4.5(3)), if it is limited."""
-    if en1992.max_resistance(materials(steel)[0]) is None:
-        return None
+def _face(steel: Reinforcement, punched: Demands, names: Names) -> Iterator[DesignCheck]:
+    """Yield whether punching exceeds v_Rd,max at any face (EN 1992-1-1 6.4.5(3)), which is limited."""
     stresses = [
-        (demand, demand.face, en1992.max_resistance(materials(steel, demand.limit_state)[0]) or 0.0)
+        Judged(demand, demand.face, en1992.max_resistance(materials(steel, demand.limit_state)[0]) or 0.0)
         for demand in punched.found.values()
         if demand.face is not None
     ]
-    return _punching(names.face, names, "v_Rd,max", stresses, punched, "fails", "6.4.5(3)")
+    those, supported = judged(stresses, _share)
+    check = _punching(names.face, names, "v_Rd,max", those, punched, "fails", "6.4.5(3)") if those else None
+    # whoever has no face has no perimeter around, where this is said
+    yield from with_the_rest(check, names.face, (names.many, names.none, CUT), supported, {})
 
 
-def _within_2d(steel: Reinforcement, punched: Demands, names: Names) -> DesignCheck:
-    """Return whether punching within 2 d needs links, or exceeds what they can carry.
+def _within_2d(steel: Reinforcement, punched: Demands, names: Names) -> Iterator[DesignCheck]:
+    """Yield whether punching within 2 d needs links, or exceeds what they can carry.
 
     With the bars provided in tension, or with the most that count, whatever will be laid. What links can carry is
     limited at 2 d, or on all perimeters where the face has no limit of its own, as at ends of walls.
     """
     name = names.within
-    which = "the bars provided" if steel.laid else "the largest ratio that counts"
-    most: list[Judged] = []
-    there: list[Judged] = []
     annex = materials(steel)[0].annex
-    for demand in punched.found.values():
-        there += [(demand, stress, demand.resistance(stress)) for stress in demand.around]
-        most += limited_with_links(demand, annex, at_face=bool(names.face))
-    limit = f"{annex.k_max:g} v_Rd,c with {which}"
-    with_links = _punching(name, names, limit, most, punched, "fails", "6.4.5(1)")
-    others = {demand.name for demand, stress, resistance in there if stress.v_Ed > resistance and not stress.supported}
-    if with_links.status == "fails":
-        beyond = {demand.name for demand, stress, resistance in most if stress.v_Ed > resistance}
-        return replace(with_links, words=f"{with_links.words}{_more(others - beyond, names)}")
+    found, at_face = punched.found.values(), bool(names.face)
+    around = [Judged(demand, stress, demand.resistance(stress)) for demand in found for stress in demand.around]
+    there, supported = judged(around, _share)
+    rest = partial(with_the_rest, name=name, called=(names.many, names.none, CUT))
+    if not there:
+        yield from rest(None, supported=supported, missing=punched.missing)
+        return
+    counted = {id(each.stress) for each in there}
+    limited = (each for demand in found for each in limited_with_links(demand, annex, at_face=at_face))
+    most = [each for each in limited if id(each.stress) in counted]
+    yield from rest(_judged_within_2d(steel, punched, names, there, most), supported=supported, missing=punched.missing)
+
+
+def _judged_within_2d(
+    steel: Reinforcement, punched: Demands, names: Names, there: list[Judged], most: list[Judged]
+) -> DesignCheck:
+    """Return the check of perimeters without links, and of those on which links are limited."""
+    name = names.within
+    which = "the bars provided" if steel.laid else "the largest ratio that counts"
+    limit = f"{materials(steel)[0].annex.k_max:g} v_Rd,c with {which}"
     without = _punching(name, names, f"v_Rd with {which}", there, punched, "attention", "6.4.4(2)")
-    if with_links.hangs:
-        low, high = with_links.between or (0.0, 0.0)
-        without = replace(without, words=f"{without.words}; {low:.3g} to {high:.3g} times {limit}, within the error")
-    if without.status == "no failure found" and not steel.laid:
-        without = _without_bars(steel, without, there)
-    needing = [judged for judged in there if judged[1].v_Ed > judged[2] and not judged[1].supported]
+    needing = [each for each in there if each.share > 1]
+    if most:
+        with_links = _punching(name, names, limit, most, punched, "fails", "6.4.5(1)")
+        if with_links.status == "fails":
+            beyond = {each.name for each in most if each.share > 1}
+            return replace(with_links, words=with_links.words + _more({each.name for each in needing} - beyond, names))
+        if with_links.hangs:
+            low, high = with_links.between or (0.0, 0.0)
+            words = f"{without.words}; {low:.3g} to {high:.3g} times {limit}, within the error"
+            without = replace(without, words=words)
     if not needing:
-        return without
-    worst = max(needing, key=lambda judged: judged[1].v_Ed / judged[2])
-    links = _links(steel, worst)
-    reach = _outer(worst[0], names)
+        return without if steel.laid else _without_bars(steel, without, there)
+    worst = max(needing, key=_share)
+    links, reach = _links(steel, worst), _outer(worst.demand, names)
     return replace(without, words=f"punching reinforcement is needed at {without.words}; {links}, {reach}")
+
+
+def _share(each: Judged) -> float:
+    return each.share
 
 
 def limited_with_links(demand: Demand, annex: Annex, *, at_face: bool) -> list[Judged]:
@@ -130,15 +164,14 @@ def limited_with_links(demand: Demand, annex: Annex, *, at_face: bool) -> list[J
     That is the outermost one, or all of them where the face has no limit of its own, by the annex or at walls.
     """
     stresses = demand.around[-1:] if annex.face and at_face else demand.around
-    return [(demand, stress, annex.k_max * demand.resistance(stress)) for stress in stresses]
+    return [Judged(demand, stress, annex.k_max * demand.resistance(stress)) for stress in stresses]
 
 
-def _without_bars(steel: Reinforcement, check: DesignCheck, judged: list[Judged]) -> DesignCheck:
+def _without_bars(steel: Reinforcement, check: DesignCheck, there: list[Judged]) -> DesignCheck:
     """Return a check that holds with the most bars as one that needs attention, if it asks for any: none are laid."""
     ratios = [
         (en1992.required_ratio(materials(steel, demand.limit_state)[0], demand.d, stress.v_Ed * share), demand)
-        for demand, stress, _ in judged
-        if not stress.supported
+        for demand, stress, _ in there
         for share in [demand.v_Rd_c / demand.resistance(stress)]
     ]
     ratio, demand = max(ratios, key=lambda one: one[0], default=(0.0, None))
@@ -185,39 +218,28 @@ def _at(stress: Stress, d: float) -> str:
 def _punching(
     name: str, names: Names, limit: str, stresses: list[Judged], punched: Demands, status: Status, clause: str
 ) -> DesignCheck:
-    """Return whether any stress exceeds its limit, with the worst; a support inside leaves it open."""
-    judged = [one for one in stresses if not one[1].supported]
-    beyond = [one for one in judged if one[1].v_Ed > one[2]]
-    numbers: dict[str, Any] = {}
-    if judged:
-        demand, stress, most = max(judged, key=lambda one: one[1].v_Ed / one[2])
-        beside = [one for one in judged if one[0].combination == demand.combination]
-        error = error_of_ratio((stress.v_Ed, most, stress.error) for _, stress, most in beside)
-        numbers = {
-            "of": demand.name,
-            "demand": max(stress.v_Ed, 0.0) / 1e6,
-            "resistance": most / 1e6,
-            "unit": "MPa",
-            "clause": f"EN 1992-1-1 {clause}",
-            "combination": demand.combination,
-            "place": punched.places[demand.name],
-            "error": scaled(error, most / 1e6),
-        }
+    """Return whether any stress exceeds its limit, with the worst."""
+    beyond = [each for each in stresses if each.share > 1]
+    demand, stress, most = worst = max(stresses, key=_share)
+    beside = [each for each in stresses if each.demand.combination == demand.combination]
+    error = error_of_ratio((each.stress.v_Ed, each.resistance, each.stress.error) for each in beside)
+    numbers: dict[str, Any] = {
+        "of": demand.name,
+        "demand": max(stress.v_Ed, 0.0) / 1e6,
+        "resistance": most / 1e6,
+        "unit": "MPa",
+        "clause": f"EN 1992-1-1 {clause}",
+        "combination": demand.combination,
+        "place": punched.places[demand.name],
+        "error": scaled(error, most / 1e6),
+    }
     if beyond:
-        count = len({judged[0].name for judged in beyond})
+        count = len({each.name for each in beyond})
         words = (
             f'{count} {names.many if count > 1 else names.one}; worst {demand.name} in "{demand.combination}": v_Ed '
             f"{stress.v_Ed / 1e6:.3g} MPa{_at(stress, demand.d)}, with beta {stress.beta:.2f}, is "
-            f"{stress.v_Ed / most:.3g} times {most / 1e6:.3g} MPa, {limit} ({clause})"
+            f"{worst.share:.3g} times {most / 1e6:.3g} MPa, {limit} ({clause})"
         )
         return DesignCheck(name, status, words, **numbers)
-    unjudged = sorted({one[0].name for one in stresses if one[1].supported} | punched.missing.keys())
-    if unjudged:
-        listed = ", ".join(unjudged[:5]) + (" ..." if len(unjudged) > 5 else "")
-        words = f"not judged, with a support inside or no perimeter on the plate: {names.many} {listed}"
-        return DesignCheck(name, "attention", words, **numbers)
-    if not judged:
-        return DesignCheck(name, "no failure found", names.none)
-    used = max(stress.v_Ed / most for _, stress, most in judged)
-    words = f"v_Ed is at most {100 * max(used, 0.0):.3g} % of {limit}, {demand.name}{_at(stress, demand.d)}"
+    words = f"v_Ed is at most {100 * max(worst.share, 0.0):.3g} % of {limit}, {demand.name}{_at(stress, demand.d)}"
     return DesignCheck(name, "no failure found", words, **numbers)

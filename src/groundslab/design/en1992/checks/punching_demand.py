@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 from groundslab.arrays import Array
 from groundslab.design.demands.line_properties import Course
-from groundslab.design.demands.perimeter_loads import PerimeterLoads
+from groundslab.design.demands.perimeter_loads import PerimeterLoads, Reach
 from groundslab.design.demands.perimeters import SketchedPerimeter
 from groundslab.design.en1992.punching import outer_perimeter
 
@@ -53,7 +53,7 @@ class Stress:
     V_Ed: float  # force that punches, less what relieves it inside [N]
     beta: float  # by the moments about the perimeter's center (expression 6.51)
     v_Ed: float  # beta V_Ed / (u d) [Pa]
-    supported: bool  # whether another support stands inside, whose force is not in V_Ed
+    supported: bool  # whether another support inside takes off a part of V_Ed, which is not counted
     pressure: float  # contact pressure inside [N]
     edge: float  # line force along the plate's edge inside [N]
     others: float  # other loads inside [N]
@@ -84,9 +84,8 @@ class Demand:
 
     @property
     def governing(self) -> Stress | None:
-        """Return the demand where v_Ed / v_Rd is largest, None where there is no perimeter or a support inside."""
-        judged = [stress for stress in self.around if not stress.supported]
-        return max(judged, key=self.used, default=None)
+        """Return the demand where v_Ed / v_Rd is largest, None where there is no perimeter."""
+        return max(self.around, key=self.used, default=None)
 
     def resistance(self, stress: Stress) -> float:
         """Return v_Rd [Pa] on a perimeter around (6.4.4(2))."""
@@ -130,4 +129,4 @@ class Demands:
     found: Mapping[tuple[str, str], Demand]
     missing: Mapping[str, str]
     places: Mapping[str, tuple[float, float]]  # of all of them [m]
-    reach: Mapping[str, float]  # how far from the face punching is checked, the rest is one-way shear [m]
+    reach: Reach  # how far from the face punching is checked, the rest is one-way shear [m]

@@ -8,8 +8,9 @@ from functools import partial
 from groundslab.arrays import Array
 from groundslab.design.basis.bar_checks import check_cover, check_spacing
 from groundslab.design.basis.calculation import Step
-from groundslab.design.basis.check import DesignCheck
+from groundslab.design.basis.check import DesignCheck, not_judged
 from groundslab.design.basis.combinations import solved_results
+from groundslab.design.basis.unjudged import NO_LIMIT
 from groundslab.design.en1992_2023 import cracking
 from groundslab.design.en1992_2023.annex import RECOMMENDED
 from groundslab.design.en1992_2023.case_materials import materials
@@ -57,8 +58,8 @@ def checks(combined: Results, steel: Reinforcement, laid: dict[str, LaidBars]) -
         lambda h, area: crack_steps.least_bars(h, area, concrete, bars),
     )
     if steel.w_max is None:
-        words = "not checked: w_max is not given, and the limits of Table 9.1 were not read"
-        yield DesignCheck("crack width", "attention", words, clause=f"{CODE} 9.2.1")
+        words = "w_max is not given, and the limits of Table 9.1 were not read"
+        yield not_judged("crack width", NO_LIMIT, words, clause=f"{CODE} 9.2.1")
         return
     yield check_first_cracks(combined, laid, least)
     yield from _cracks(combined, steel, laid, stress)

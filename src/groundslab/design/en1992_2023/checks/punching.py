@@ -8,6 +8,7 @@ from typing import NamedTuple
 
 from groundslab.design.basis.check import DesignCheck, Status
 from groundslab.design.basis.demand_errors import error_of_ratio, scaled
+from groundslab.design.basis.punching_checks import judged, with_the_rest
 from groundslab.design.basis.wall_ends import NO_WALL, loaded_ends
 from groundslab.design.demands.perimeter_loads import punching_piles
 from groundslab.design.demands.zones.thicker_zones import NONE, zone_forces
@@ -73,10 +74,7 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
     if punching_piles(combined.model):
         yield from _checks(steel, pile_demands(combined), "punching over piles", ("pile", "no pile pushes up"))
     if zone_forces(combined):
-        known, missing = zone_demands(combined)
-        # where a zone reaches from edge to edge, one-way shear is checked beside it
-        missing = {name: why for name, why in missing.items() if why != CUT}
-        yield from _checks(steel, (known, missing), "punching around thicker zones", ("thicker zone", NONE))
+        yield from _checks(steel, zone_demands(combined), "punching around thicker zones", ("thicker zone", NONE))
     if loaded_ends(combined.model):
         yield from _checks(steel, (wall_demands(combined), {}), "punching at walls' ends", ("wall end", NO_WALL))
 
@@ -107,16 +105,9 @@ def _checks(steel: Reinforcement, demands: Demands, name: str, pushing: tuple[st
     """Yield the check of those that push, and which of them it leaves out."""
     known, missing = demands
     one, none = pushing
-    judged = [demand for demand in known.values() if not demand.supported]
-    unjudged = sorted({demand.name for demand in known.values() if demand.supported} | missing.keys())
-    if judged:
-        yield _worst(judged, steel, name)
-    elif not unjudged:
-        yield DesignCheck(name, "no failure found", none)
-    if unjudged:
-        listed = ", ".join(unjudged[:5]) + (" ..." if len(unjudged) > 5 else "")
-        words = f"not judged, with a support inside or no control perimeter on the plate: {one}s {listed}"
-        yield DesignCheck(f"{name} of some {one}s", "attention", words)
+    those, supported = judged(known.values(), lambda demand: demand.used)
+    check = _worst(those, steel, name) if those else None
+    yield from with_the_rest(check, name, (f"{one}s", none, CUT), supported, missing)
 
 
 def _worst(judged: list[Punching], steel: Reinforcement, name: str) -> DesignCheck:

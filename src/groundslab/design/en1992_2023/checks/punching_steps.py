@@ -64,7 +64,7 @@ def _governing(
     governing: dict[str, Punching] = {}
     for demand in demands.values():
         known = governing.get(demand.name)
-        if not demand.supported and demand.used > (0.0 if known is None else known.used):
+        if demand.used > (0.0 if known is None else known.used):
             governing[demand.name] = demand
     for demand in sorted(governing.values(), key=lambda each: -each.used):
         sketch = None if demand.section is None else demand.section.sketch

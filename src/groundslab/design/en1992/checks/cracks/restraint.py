@@ -12,8 +12,9 @@ import numpy as np
 
 from groundslab.arrays import Array
 from groundslab.design.basis.calculation import Step
-from groundslab.design.basis.check import DesignCheck
+from groundslab.design.basis.check import DesignCheck, not_judged
 from groundslab.design.basis.combinations import solved_results
+from groundslab.design.basis.unjudged import BARS_YIELD, NO_BARS
 from groundslab.design.en1992 import cracking
 from groundslab.design.en1992.case_materials import materials
 from groundslab.design.en1992.checks.cracks import crack_steps
@@ -47,8 +48,8 @@ def check_restraint(
         yield DesignCheck(WIDTH, "not checked", words, clause="EN 1992-1-1 7.3.4")
         return
     if yields:
-        words = "not checked: the bars yield, so that no crack width is valid"
-        yield DesignCheck(WIDTH, "attention", words, resistance=w_max * _MM, unit="mm", clause="EN 1992-1-1 7.3.4")
+        words, clause = "the bars yield, so that no crack width is valid", "EN 1992-1-1 7.3.4"
+        yield not_judged(WIDTH, BARS_YIELD, words, resistance=w_max * _MM, unit="mm", clause=clause)
         return
     widths = {
         layer: cracking.tension_crack_width(thickness, _bars(steel, layer, each), concrete, bars, f_ct)
@@ -70,9 +71,10 @@ def without_bars(steel: Reinforcement, thickness: Array) -> DesignCheck:
     """Return what each layer needs where no bars are laid, of thicknesses (n,) [m]."""
     least = float(cracking.tension_force(thickness, tensile_strength(steel)).max()) / materials(steel)[1].f_yk * _CM2
     words = (
-        f"not checked, as no bars are laid; each layer needs {least:.4g} cm2/m where the slab is thickest, more for "
+        f"no bars are laid; each layer needs {least:.4g} cm2/m where the slab is thickest, more for narrow cracks "
+        "(7.3.2(2))"
     )
-    return DesignCheck(BARS, "attention", f"{words}narrow cracks (7.3.2(2))", clause=_CLAUSE)
+    return not_judged(BARS, NO_BARS, words, clause=_CLAUSE)
 
 
 def _largest(values: dict[str, Array]) -> tuple[str, int]:

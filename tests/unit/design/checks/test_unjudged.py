@@ -1,0 +1,161 @@
+"""Each way in which checks end without a verdict: a case that rightly ends so, and the nearest one that is judged."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import groundslab as gs
+from groundslab.design.basis.check import DesignCheck
+from groundslab.design.basis.unjudged import UNJUDGED, Unjudged
+from groundslab.design.checks import check_design
+from groundslab.model.model import Model
+
+STEEL: dict[str, Any] = {"f_ck": "30 MPa", "f_yk": "500 MPa", "bottom": ["40 mm", "60 mm"], "top": ["40 mm", "60 mm"]}
+BARS = {layer: {"diameter": "16 mm", "spacing": "150 mm"} for layer in ("bottom_x", "bottom_y", "top_x", "top_y")}
+ULS = {"name": "ULS", "limit_state": "ultimate", "factors": {"G": 1.35}}
+QUASI = {"name": "QP", "limit_state": "quasi-permanent", "factors": {"G": 1.0}}
+LOAD = {"kind": "point", "case": "G", "column": "C", "P": 300e3}
+WEIGHT = {"kind": "self weight", "case": "G", "unit_weight": 25e3}
+COLUMN = {"name": "C", "x": 0.0, "y": 0.0, "width_x": 0.4, "width_y": 0.4}
+PILE = {"kind": "point", "y": 0.6, "stiffness": "50 MN/m", "diameter": 0.3}
+
+
+def slab(**changes: Any) -> Model:
+    """Return a raft of 4 m by 4 m with a column in its middle."""
+    parts: dict[str, Any] = {
+        "plate": {"length_x": 4.0, "length_y": 4.0, "thickness": 0.4, "E": 31e9, "nu": 0.2},
+        "ground": {"kind": "winkler", "k": 40e6},
+        "columns": [COLUMN],
+        "cases": [{"name": "G"}],
+        "loads": [LOAD],
+        "combinations": [ULS],
+        "reinforcement": STEEL,
+        "mesh": {"size": 0.5},
+    }
+    return Model(**parts | changes)
+
+
+def made(model: Model) -> tuple[DesignCheck, ...]:
+    """Return the checks of a model."""
+    return check_design(gs.solve(model)).checks
+
+
+def plate(*, corners: bool) -> dict[str, Any]:
+    """Return a plate with openings on all sides of the column, and behind what is between them, or not."""
+    at, long = 0.22, 0.42
+    sides = [((at, at + 0.2), (-long / 2, long / 2)), ((-at - 0.2, -at), (-long / 2, long / 2))]
+    sides += [(y, x) for x, y in sides]
+    behind = (0.5, 0.7), (-0.7, -0.5)
+    sides += [(x, y) for x in behind for y in behind if corners]
+    holes = [{"kind": "rectangle", "x": x, "y": y} for x, y in sides]
+    return {"length_x": 4.0, "length_y": 4.0, "thickness": 0.4, "E": 31e9, "nu": 0.2, "openings": holes}
+
+
+def crack_width(case: dict[str, Any]) -> dict[str, Any]:
+    """Return a reinforcement with bars and so much besides."""
+    return {"reinforcement": STEEL | BARS | case, "combinations": [ULS, QUASI]}
+
+
+def dowels(**case: Any) -> dict[str, Any]:
+    """Return two bays joined by dowels."""
+    joint = {"kind": "elastic", "between": ("A", "B"), "stiffness": 150e6,
+             "dowels": {"diameter": 0.02, "spacing": 0.3, "opening": 2e-3, "f_yk": 500e6}}  # fmt: skip
+    bay = {"thickness": 0.4, "E": 31e9, "nu": 0.2}
+    first = {"name": "A", "outline": {"kind": "rectangle", "x": (-2.0, 0.0), "y": (-2.0, 2.0)}, **bay}
+    second = {"name": "B", "outline": {"kind": "rectangle", "x": (0.0, 2.0), "y": (-2.0, 2.0)}, **bay}
+    wheel = {"kind": "point", "case": "G", "P": 60e3, "x": -0.5, "y": 0.0, "width_x": 0.3, "width_y": 0.3}
+    return {"plate": first, "plates": [second], "joints": [joint], "columns": (), "loads": [wheel, WEIGHT],
+            "mesh": {"size": 0.5}} | case  # fmt: skip
+
+
+def lifted(**contact: Any) -> dict[str, Any]:
+    """Return a plate on springs that a force turns over, in a combination of equilibrium."""
+    return {
+        "combinations": [{"name": "EQU", "limit_state": "equilibrium", "factors": {"G": 1.0}}],
+        "reinforcement": None,
+        "contact": contact,
+    }
+
+
+def beam(section: dict[str, Any]) -> dict[str, Any]:
+    """Return a slab with a beam in its middle."""
+    return {"beams": [{"name": "B", "points": [(-1.0, 0.0), (1.0, 0.0)], "section": section, "E": 31e9, "nu": 0.2}]}
+
+
+GIVEN = {"kind": "properties", "second_moment": 1e-4, "torsion_constant": 1e-4, "shear_area": 0.01}
+CONCRETE = {"kind": "rectangle", "width": 0.3, "height": 0.6}
+#: By the reason: what of the slab differs where it is so, and where it is nearly so, and how the check is called.
+CASES: dict[str, tuple[dict[str, Any], dict[str, Any], str]] = {
+    "support-inside": (
+        {"supports": [PILE | {"x": 0.0}], "loads": [LOAD | {"P": 4e6}]},
+        {"supports": [PILE | {"x": 0.0}]},
+        "punching within 2 d",
+    ),
+    "no-perimeter": ({"plate": plate(corners=True)}, {"plate": plate(corners=False)}, "punching within 2 d"),
+    "pulls-or-turns": ({"loads": [LOAD | {"P": -10e3}, WEIGHT]}, {}, "punching by columns that pull"),
+    "glued-to-the-ground": (lifted(tensionless=False), lifted(tensionless=True), "static equilibrium"),
+    "no-combination": (
+        {"limits": {"settlement": 0.02}}, {"limits": {"settlement": 0.02}, "combinations": [ULS, QUASI]}, "settlement",
+    ),
+    "fewer-than-two-columns": (
+        {"limits": {"angular_distortion": 0.02}, "combinations": [ULS, QUASI]},
+        {"limits": {"angular_distortion": 0.02}, "combinations": [ULS, QUASI],
+         "columns": [COLUMN, COLUMN | {"name": "D", "x": 1.5}]},
+        "angular distortion",
+    ),
+    "section-by-its-properties": (beam(GIVEN), beam(CONCRETE), "beams"),
+    "no-limit": (
+        crack_width({"code": "EN 1992-1-1:2023"}),
+        crack_width({"code": "EN 1992-1-1:2023", "w_max": 0.3e-3}),
+        "crack width",
+    ),
+    "no-bars": ({"reinforcement": STEEL | {"restraint": {}}}, crack_width({"restraint": {}}), "bars against restraint"),
+    "bars-yield": (
+        crack_width({"restraint": {}, "w_max": 0.3e-3} | {key: {"diameter": 0.006, "spacing": 0.3} for key in BARS}),
+        crack_width({"restraint": {}, "w_max": 0.3e-3}),
+        "crack width by restraint",
+    ),
+    "another-standard": (
+        crack_width({"annex": "United Kingdom", "exposure": "XC2"}),
+        crack_width({"annex": "Germany", "exposure": "XC2"}),
+        "cover",
+    ),
+    "no-concrete": (dowels(reinforcement=None), dowels(), "dowels"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_both_ways(name: str) -> None:
+    """The one case ends without a verdict for that reason and for no other; the nearest one has none that does."""
+    open_case, judged_case, about = CASES[name]
+    ends = made(slab(**open_case))
+    reasons = {each.unjudged.name: each for each in ends if each.unjudged is not None}
+    assert name in reasons
+    check = reasons[name]
+    assert check.name.startswith(about)
+    assert check.status == "attention"
+    assert check.unjudged is not None
+    assert check.words.startswith("not judged: ")
+    assert check.words.endswith(check.unjudged.do)
+    headline = check_design(gs.solve(slab(**open_case))).headline
+    assert f"Not judged: {len([each for each in ends if each.unjudged])} of {len(ends)} (" in headline
+    judged = made(slab(**judged_case))
+    assert name not in {each.unjudged.name for each in judged if each.unjudged is not None}
+
+
+def test_the_documentation_lists_them_all() -> None:
+    """The table of docs/results.md has the names and what to do, in the same order."""
+    text = (Path(__file__).parents[4] / "docs/results.md").read_text(encoding="utf-8")
+    rows = re.findall(
+        r"^\| `([a-z-]+)` \| .* \| (.*) \|$", text.partition("### Checks without a verdict")[2], re.MULTILINE
+    )
+    assert [Unjudged(*row) for row in rows[: len(UNJUDGED)]] == list(UNJUDGED)
+
+
+def test_all_have_a_case() -> None:
+    """Two are made elsewhere: a code without a rule (test_new_code), an unsolved combination (test_strength)."""
+    assert {each.name for each in UNJUDGED} == CASES.keys() | {"no-rule", "no-certified-result"}
