@@ -84,7 +84,7 @@ def _print_captured(show: Callable[[Console], None]) -> None:
     console = Console()
     with console.capture() as captured:
         show(console)
-    print_stdout(captured.get().rstrip("\n"))
+    print_stdout(captured.get().rstrip("\n"), styled=True)
 
 
 def describe_designs(compare: argparse.ArgumentParser) -> None:

@@ -7,22 +7,26 @@ import sys
 from contextlib import suppress
 from typing import TYPE_CHECKING
 
+from groundslab.schema.wording import printable
+
 if TYPE_CHECKING:
     from groundslab.errors import InputError
 
+#: White space that lays out what is printed.
+LAYOUT = "\n\t"
 EXIT_OK, EXIT_NO_RESULT, EXIT_WRONG_INPUT, EXIT_DESIGN_FAILS, EXIT_INTERRUPTED = 0, 1, 2, 3, 130
 
 
 def print_stderr(text: str) -> None:
-    """Print a message to standard error; errors in doing so are ignored."""
+    """Print a message to standard error, in which no name is obeyed; errors in doing so are ignored."""
     with suppress(OSError):
-        print(text, file=sys.stderr, flush=True)
+        print(printable(text, keep=LAYOUT), file=sys.stderr, flush=True)
 
 
-def print_stdout(text: str) -> None:
-    """Print to standard output; a closed pipe is no error."""
+def print_stdout(text: str, *, styled: bool = False) -> None:
+    """Print to standard output, in which no name is obeyed unless it is styled already; a closed pipe is no error."""
     try:
-        print(text, flush=True)
+        print(text if styled else printable(text, keep=LAYOUT), flush=True)
     except BrokenPipeError:
         close_output()
     except OSError:

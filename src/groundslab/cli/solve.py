@@ -175,7 +175,7 @@ def _print_summary(results: Results, options: argparse.Namespace) -> None:
         # Captured, since rich ends the program when a pipe breaks.
         with console.capture() as captured:
             print_summary(results, console)
-        print_stdout(captured.get().rstrip("\n"))
+        print_stdout(captured.get().rstrip("\n"), styled=True)
 
 
 def _judge_design(results: Results, quiet: bool) -> int:

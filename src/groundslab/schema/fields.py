@@ -15,7 +15,7 @@ from groundslab import units
 from groundslab.schema import ranges, toml_writer
 from groundslab.schema.issues import FieldError, RelativeIssue, field_error
 from groundslab.schema.repairs import add_unit, meant_word
-from groundslab.schema.wording import describe, listed, quote
+from groundslab.schema.wording import describe, listed, printable, quote
 from groundslab.unit_systems import customary_example
 
 MOST_ISSUES, MOST_VALUES = 100, 10_000  # reported for one table; of a list, unless its key says otherwise
@@ -277,12 +277,12 @@ class Text(FieldType):
     meaning: str
 
     def read(self, value: Any, from_file: bool) -> str:  # noqa: ARG002
-        """Return the text."""
+        """Return the text as it may be shown anywhere, see `printable`."""
         if not isinstance(value, str):
             raise field_error(value, self.expected())
         if any("\ud800" <= letter <= "\udfff" for letter in value):
             raise field_error(value, "text without lone surrogates")
-        return value
+        return printable(value)
 
 
 def _read_each(
@@ -380,7 +380,7 @@ class Factors(FieldType):
         twice = [
             RelativeIssue((name,), "a second factor", "one factor for each name") for name in count if count[name] > 1
         ]
-        return tuple(zip(count, _read_each(self.EACH, pairs, from_file, twice), strict=True))
+        return tuple(zip(map(printable, count), _read_each(self.EACH, pairs, from_file, twice), strict=True))
 
     def write(self, value: Sequence[tuple[str, float]]) -> str:
         """Return an inline table."""

@@ -4,9 +4,17 @@ from __future__ import annotations
 
 import difflib
 import numbers
+import re
 from collections.abc import Iterable, Mapping, Sequence
 
 MOST_NAMES = 10  # that are listed of those in a file
+#: Letters that Python calls printable and nobody sees: the rest of what Unicode lets programs ignore
+#: (Default_Ignorable_Code_Point), and the blank pattern of Braille.
+_UNSEEN = re.compile(
+    "[\u034f\u115f\u1160\u17b4\u17b5\u180b-\u180f\u2800\u3164\ufe00-\ufe0f\uffa0\U000e0100-\U000e01ef]"
+)
+#: What begins a formula in a spreadsheet; numbers begin with a sign, too.
+_FORMULA = re.compile(r"[=@]|[+-](?!\s*[0-9.,]+\s*$)\s*\S")
 
 
 def describe(value: object) -> str:
@@ -43,13 +51,25 @@ def escape(text: str) -> str:
     return "".join("\\" + letter if letter in '"\\' else _printable(letter) for letter in text)
 
 
-def printable(text: str) -> str:
-    """Return a text that stands outside of quotes with its control characters escaped, which a terminal would obey."""
-    return "".join(map(_printable, text))
+def printable(text: str, keep: str = "") -> str:
+    """Return a text with all letters escaped that are obeyed instead of shown, or that nobody sees.
+
+    The only gate for names on their way out: control characters, which a terminal obeys and XML forbids; marks that
+    turn text around, so that 84.04 is shown as 40.48; letters without width, which make two names look alike. White
+    space becomes a space, but that in `keep`.
+    """
+    if text.isascii() and text.isprintable():
+        return text
+    return "".join(letter if letter in keep else " " if letter.isspace() else _printable(letter) for letter in text)
+
+
+def as_cell(text: str) -> str:
+    """Return a text for a cell of a CSV file, which a spreadsheet would take for a formula without the apostrophe."""
+    return f"'{text}" if _FORMULA.match(text) else text
 
 
 def _printable(letter: str) -> str:
-    if letter.isprintable():
+    if letter.isprintable() and not _UNSEEN.match(letter):
         return letter
     code = 0xFFFD if 0xD800 <= ord(letter) < 0xE000 else ord(letter)  # lone surrogates are no letters
     return f"\\u{code:04x}" if code < 0x10000 else f"\\U{code:08x}"

@@ -192,7 +192,7 @@ ONE_FAULT = [
     (mixed({"dead": {"a": 1}}), "combinations[1].factors.dead", "a table", "a number"),
     (mixed({"dead": float("nan")}), "combinations[1].factors.dead", "nan", "a number"),
     (mixed({"dead": 10**400}), "combinations[1].factors.dead", "a huge number", "a number"),
-    (mixed({"\x1b": 1}), 'combinations[1].factors."\\u001b"', "a case that is not there", '"dead" or "live"'),
+    (mixed({"\x1b": 1}), r'combinations[1].factors."\\u001b"', "a case that is not there", '"dead" or "live"'),
     # automatic combinations
     (case(combine={"sets": ["ultimate"]}), "combine", "automatic combinations", "[[cases]] to combine"),
     (combined(sets=["ultimate", "ultimate"]), "combine.sets", '["ultimate", "ultimate"]', "each value at most once"),

@@ -13,7 +13,7 @@ from typing import Any
 
 from groundslab.errors import InputError, Issue
 from groundslab.optional import import_optional
-from groundslab.schema.wording import describe, one_of
+from groundslab.schema.wording import describe, one_of, printable
 
 #: Bytes of a file, and of all that a workbook holds once it is unpacked.
 LARGEST, UNPACKED = 50_000_000, 500_000_000
@@ -103,7 +103,7 @@ def _read_text(content: bytes, name: str) -> Grid:
     rows = []
     try:
         for row in csv.reader(io.StringIO(text), delimiter=between, skipinitialspace=True):
-            rows.append(tuple(cell.strip()[:LONGEST] for cell in row))
+            rows.append(tuple(printable(cell).strip()[:LONGEST] for cell in row))
             if len(row) > MOST_COLUMNS:
                 raise _too_large(name, f"{len(row):,} columns in line {len(rows)}")
     except csv.Error as error:
@@ -205,7 +205,7 @@ def _rows(rows: Iterable[tuple[Sequence[Any], Sequence[Any]]], name: str, most: 
 def _cell(value: Any, written: Any) -> Cell:
     """Return a value of a workbook as text or number; a formula as text where no value of it was saved."""
     if value is None:
-        return "" if written is None else str(written)[:LONGEST]
+        return "" if written is None else printable(str(written))[:LONGEST]
     if isinstance(value, int | float) and not isinstance(value, bool):
         return float(value) if abs(value) < 1e300 else describe(value)
-    return str(value).strip()[:LONGEST]
+    return printable(str(value)).strip()[:LONGEST]

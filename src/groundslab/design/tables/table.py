@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 from groundslab.optional import import_optional
+from groundslab.schema.wording import as_cell
 from groundslab.unit_systems import System, unit_in, words_in
 from groundslab.units import coordinate
 
@@ -154,7 +155,7 @@ def _written(value: Cell, unit: str) -> str:
     if value is None:
         return ""
     if not isinstance(value, float):
-        return str(value)
+        return as_cell(value) if isinstance(value, str) else str(value)
     whole = len(str(int(abs(value)))) if unit in ("m", "ft") else 0
     return f"{value:.{max(DIGITS, whole + DECIMALS)}g}"
 

@@ -9,6 +9,7 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 from groundslab.results.results import refusal_words
+from groundslab.schema.wording import as_cell
 from groundslab.views.summary import combinations
 
 if TYPE_CHECKING:
@@ -152,7 +153,7 @@ def _list_of(entries: list[Entry], folders: dict[str, str]) -> str:
         factors = dict(entry.combination.factors)
         name = entry.combination.name
         outcome = ["yes", ""] if entry.refused is None else ["no", refusal_words(entry.refused)]
-        first = [str(entry.number), name, entry.combination.limit_state, folders.get(name, "")]
+        first = [str(entry.number), as_cell(name), entry.combination.limit_state, folders.get(name, "")]
         rows.writerow([*first, *outcome, *(factors.get(case, 0.0) for case in cases)])
     return text.getvalue()
 

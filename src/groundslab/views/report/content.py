@@ -16,7 +16,7 @@ from groundslab.model.ground import ContinuousGround
 from groundslab.model.loads.load_cases import SERVICEABILITY, STRENGTH
 from groundslab.results.results import refusal_words
 from groundslab.results.soil_profile import list_columns
-from groundslab.schema.wording import listed
+from groundslab.schema.wording import listed, printable
 from groundslab.unit_systems import unit_in
 from groundslab.views.report import table_layout
 from groundslab.views.report.assumptions import list_assumptions
@@ -97,8 +97,8 @@ def build_page(
         "title": combined.model.title,
         "project": _title_block(combined.model.project),
         "version": __version__,
-        "file": file,
-        "text": text,
+        "file": printable(file),
+        "text": printable(text, keep="\n\t"),
         "sha256": hashlib.sha256(text.encode()).hexdigest(),
         "facts": list(_facts(combined)),
         "verdict": dict(zip(("status", "words"), _verdict(combined, entries), strict=True)),

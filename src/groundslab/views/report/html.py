@@ -47,6 +47,10 @@ TAIL = f"% {MARK} "
 #: The viewer's data may take so many letters of the file; fields beyond that are left out, those of one combination
 #: apart.
 MOST_DATA = 15_000_000
+#: Letters of scripts that run to the left: Hebrew, Arabic and others.
+_TO_LEFT = "[\u0590-\u08ff\ufb1d-\ufdff\ufe70-\ufefc\U00010800-\U00010fff\U0001e800-\U0001efff]"
+#: Words of such letters, with what is between them but digits.
+_LEFTWARDS = re.compile(rf"{_TO_LEFT}(?:[ .,/()'-]*{_TO_LEFT})*")
 #: Letters that control a terminal or a browser, which no page may hold.
 _CONTROL = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\x7f]")
 
@@ -271,6 +275,15 @@ def _hash(content: str) -> str:
     return f"sha256-{base64.b64encode(hashlib.sha256(content.encode()).digest()).decode()}"
 
 
+def _isolate(value: object) -> object:
+    """Return a text whose words that run to the left are isolated, so that numbers beside them keep their place."""
+    from markupsafe import Markup, escape
+
+    if not isinstance(value, str) or isinstance(value, Markup) or value.isascii() or not _LEFTWARDS.search(value):
+        return value
+    return Markup(_LEFTWARDS.sub(r"<bdi>\g<0></bdi>", str(escape(value))))
+
+
 def render_page(template: Path, translate: Translator = str, language: Language = "en", **values: Any) -> str:
     """Return a page of a template, which may use those here: values are escaped, a missing one is an error.
 
@@ -286,6 +299,7 @@ def render_page(template: Path, translate: Translator = str, language: Language 
         trim_blocks=True,
         lstrip_blocks=True,
         keep_trailing_newline=True,
+        finalize=_isolate,
     )
     environment.globals["_"] = translate
     environment.filters |= {

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from hashlib import sha256
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, TypeVar, cast
 
 from groundslab._version import __version__
 from groundslab.case.saf.writing.cases import write_cases, write_combinations
 from groundslab.case.saf.writing.forces import EdgeForces, write_forces
 from groundslab.case.saf.writing.loads import Placed, write_loads
-from groundslab.case.saf.writing.sheets import Sheets
+from groundslab.case.saf.writing.sheets import LONGEST_NAME, Sheets
 from groundslab.case.saf.writing.structure import (
     plate_at,
     plate_names,
@@ -25,12 +27,14 @@ from groundslab.case.saf.writing.structure import (
 from groundslab.errors import InputError, Issue
 from groundslab.geometry.plan import Ring
 from groundslab.model.combinations import list_combinations, place_patterns
+from groundslab.schema.base import Section
 from groundslab.storage import atomic
 
 if TYPE_CHECKING:
     from groundslab.model.model import Model
 
 VERSION = "2.2.0"
+T = TypeVar("T")
 
 #: Parts of a model that are written, or need not be.
 _WRITTEN = {"title", "project", "report", "plate", "plates", "ground", "soil_zones", "supports", "columns", "walls",
@@ -49,6 +53,11 @@ def write_model(
     of its only plate. Raises InputError if the file exists.
     """
     sheets = Sheets()
+    short = _with_short_names(model)
+    if short != model:
+        sheets.leave("names", f"those above {LONGEST_NAME} letters are shortened")
+    model = short
+    forces = [replace(each, combination=_shorten(each.combination)) for each in forces]
     placed = place_patterns(model)
     if model.moves:
         sheets.leave("moves", "vehicles and racks are written as forces, each position as a case")
@@ -87,6 +96,27 @@ def write_model(
     except OSError as error:
         raise InputError([Issue(str(path), error.strerror or str(error), "a file that can be written")]) from None
     return tuple(dict.fromkeys(sheets.left))
+
+
+def _with_short_names(value: T) -> T:
+    """Return a model, or a part of it, with names shortened alike where things are named and where they are meant."""
+    shorter: Any = value
+    if isinstance(value, str):
+        shorter = _shorten(value)
+    elif isinstance(value, tuple):
+        shorter = tuple(map(_with_short_names, value))
+    elif isinstance(value, Section):
+        values = {name: _with_short_names(each) for name, each in value}
+        changed = {name: each for name, each in values.items() if each != getattr(value, name)}
+        shorter = value.model_copy(update=changed) if changed else value
+    return cast("T", shorter)
+
+
+def _shorten(name: str) -> str:
+    """Return a name of as many letters as the format takes; one that is shortened ends in a part of its SHA-256."""
+    if len(name) <= LONGEST_NAME:
+        return name
+    return f"{name[: LONGEST_NAME - 9]}~{sha256(name.encode()).hexdigest()[:8]}"
 
 
 def _add_internal_nodes(sheets: Sheets, plates: Mapping[str, Ring]) -> None:
