@@ -38,6 +38,9 @@ def describe_dxf(dxf: argparse.ArgumentParser) -> None:
         help="widest gap to close between the ends of lines, if no wider than a tenth of the adjoining edges "
         '(default: "1 mm"; "0 mm" closes none)',
     )
+    dxf.add_argument(
+        "--union", action="store_true", help="join outlines that adjoin each other, such as of a house and its porch"
+    )
     describe_place(dxf, "drawing")
     dxf.add_argument("--out", metavar="FILE", help="file to write (default: print the text)")
 
@@ -204,7 +207,7 @@ def convert_drawing(options: argparse.Namespace) -> int:
     from groundslab.case import dxf as drawings
 
     layers, gap = _layers(options.layers), drawings.parse_gap(options.close_gaps)
-    drawing = drawings.read(options.drawing, layers, options.unit, gap)
+    drawing = drawings.read(options.drawing, layers, options.unit, gap, options.union)
     if options.origin == "center":
         drawing = drawings.center(drawing)
     if options.align:

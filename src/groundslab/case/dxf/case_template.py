@@ -14,6 +14,7 @@ from groundslab import units
 from groundslab.case import blanks
 from groundslab.case.dxf.classify import SAME, Footprint, circle_of, footprint_of
 from groundslab.case.dxf.drawing import AreaMark, Drawing, LineMark, PointMark
+from groundslab.case.dxf.size import remark_on_size
 from groundslab.geometry.plan import Place, Ring
 from groundslab.geometry.regions import Region
 from groundslab.schema.wording import printable, quote, with_article
@@ -48,6 +49,8 @@ def to_case(drawing: Drawing, title: str = "", source: str = "drawing", notes: S
     if drawing.thickness is not None:
         thickness = f"thickness = {_length_text(drawing.thickness)}"
     made_from = with_article(source)
+    size = remark_on_size(drawing)
+    notes = [*notes, *([f"Check the unit: {size}."] if size else [])]
     text = [
         f"# Input file of groundslab, made from {made_from}. What it does not contain is commented out with #.",
         '# Where it says "fill in", give your own value and take the # away, from the other lines of that section too.',

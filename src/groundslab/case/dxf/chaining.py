@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 import math
-from collections import defaultdict
+from collections import Counter, defaultdict
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
 
+from groundslab.arrays import Array
 from groundslab.case.dxf.curves import DrawnLine
-from groundslab.case.dxf.drawing import DOUBLE, OF_EDGE, ReadContext, Source
+from groundslab.case.dxf.drawing import DOUBLE, MOST_BESIDE, OF_EDGE, ReadContext, Source
 from groundslab.geometry.plan import Place, Ring, segment
 from groundslab.geometry.regions import Region
 
@@ -21,15 +23,15 @@ class PointIndex:
 
     def __init__(self, tolerance: float) -> None:
         self.points: list[Place] = []
-        self._tolerance = tolerance
+        self.tolerance = tolerance
         self._cells: dict[tuple[int, int], list[int]] = defaultdict(list)
 
     def number(self, point: Place) -> int:
         """Return the number of a point, a new one if none is near."""
-        column, row = (math.floor(value / self._tolerance) for value in point)
+        column, row = (math.floor(value / self.tolerance) for value in point)
         for cell in ((column + i, row + j) for i in (0, -1, 1) for j in (0, -1, 1)):
             for known in self._cells.get(cell, ()):
-                if math.dist(self.points[known], point) <= self._tolerance:
+                if math.dist(self.points[known], point) <= self.tolerance:
                     return known
         self.points.append(point)
         self._cells[column, row].append(len(self.points) - 1)
@@ -39,6 +41,7 @@ class PointIndex:
 MOST_ENDS = 40  # open ends of a layer that are listed one by one
 FEW = 4  # nearest other ends of which one may close a gap
 ROUNDING = 1e-9  # of a distance
+MOST_GAPS = 2  # widths of a gap by which an edge is made longer or shorter to close it
 
 
 @dataclass(frozen=True)
@@ -113,6 +116,68 @@ def join_lines(lines: list[tuple[Source, DrawnLine]], tolerance: float, context:
     return [_close_ring(links, nodes, remarks) for links in rings]
 
 
+def join_outlines(curves: list[ClosedCurve], tolerance: float, context: ReadContext) -> list[ClosedCurve]:
+    """Return closed curves without the edges that two of them share, so that those that adjoin each other are one."""
+    nodes, middles = PointIndex(tolerance), PointIndex(tolerance)
+    for closed in curves:
+        for point in closed.curve.points:
+            nodes.number(point)
+    links: list[_Link] = []
+    for closed in curves:
+        ends = (*closed.curve.points[1:], closed.curve.points[0])
+        for start, end, bulge in zip(closed.curve.points, ends, closed.curve.bulges, strict=True):
+            a, b = nodes.number(start), nodes.number(end)
+            links += _split(_Link(a, b, bulge, closed.sources[0], (0, 0, 0)), nodes, middles, context)
+    shared = Counter(link.key for link in links)
+    ways = Counter((link.key, link.a) for link in links)
+    for link in links:
+        if ways[link.key, link.a] > 1:
+            found = "a part of two outlines that lie on each other"
+            context.issue([link.source], nodes.points[link.a], found, "outlines side by side")
+            return curves
+    left = [link for link in links if shared[link.key] == 1]
+    if len(left) == len(links):
+        return curves
+    layer = Source(curves[0].sources[0].layer, "LAYER", "")
+    context.report_entity(layer, True, f"{len(curves)} outlines were joined where they adjoin")
+    rings = [_close_ring(ring, nodes, {}) for ring in _find_rings(left, nodes, context)]
+    rings.sort(key=lambda ring: -ring.curve.area)
+    of_first = {closed.sources[0]: closed for closed in curves}
+    parts_of = [[of_first.pop(first) for first in ring.sources if first in of_first] for ring in rings]
+    if rings:
+        parts_of[0] += of_first.values()  # all of whose edges are shared
+    return [
+        ClosedCurve(ring.curve, tuple(source for each in parts for source in each.sources),
+                    {source: why for each in parts for source, why in each.remarks.items()})
+        for ring, parts in zip(rings, parts_of, strict=True)
+    ]  # fmt: skip
+
+
+def _split(link: _Link, nodes: PointIndex, middles: PointIndex, context: ReadContext) -> list[_Link]:
+    """Return the parts of an edge between the corners of all outlines that lie on it, straight ones only."""
+    start, end = (np.array(nodes.points[number]) for number in (link.a, link.b))
+    length = math.dist(start, end)
+    numbers = [link.a, link.b]
+    if not link.bulge and length:
+        context.count_work(len(nodes.points), MOST_BESIDE, "corners beside edges of outlines")
+        along, off = ((np.array(nodes.points) - start) @ axis for axis in _axes(end - start, length))
+        between = np.flatnonzero((np.abs(off) <= nodes.tolerance) & (along > 0) & (along < length))
+        inner = sorted(set(between.tolist()) - {link.a, link.b}, key=lambda number: float(along[number]))
+        numbers[1:1] = inner
+    parts = []
+    for a, b in pairwise(numbers):
+        if a != b:
+            middle = middles.number(segment(nodes.points[a], nodes.points[b], link.bulge).middle)
+            parts.append(link._replace(a=a, b=b, key=(min(a, b), max(a, b), middle)))
+    return parts
+
+
+def _axes(way: Array, length: float) -> tuple[Array, Array]:
+    """Return the unit vectors along a way and across it."""
+    x, y = way / length
+    return np.array([x, y]), np.array([-y, x])
+
+
 def _ring_of(links: list[_Link], nodes: PointIndex) -> Ring:
     return Ring(tuple(nodes.points[link.a] for link in links), tuple(link.bulge or 0.0 for link in links))
 
@@ -127,9 +192,10 @@ def _close_ring(links: list[_Link], nodes: PointIndex, remarks: dict[Source, str
 
 
 def _close_gaps(loose: list[_Link], nodes: PointIndex, context: ReadContext) -> list[_Link]:
-    """Return links whose open ends are joined midway where they are near each other, the shortest gaps first.
+    """Return links whose open ends are joined where they are near each other, the shortest gaps first.
 
-    A gap is closed if it is neither wider than the context's nor than OF_EDGE of an edge that ends there.
+    Straight edges are joined where they would meet, others midway. A gap is closed if it is neither wider than the
+    context's nor than OF_EDGE of an edge that ends there.
     """
     at = _links_at(loose)
     ends = [node for node, links in at.items() if len(links) == 1]
@@ -140,11 +206,27 @@ def _close_gaps(loose: list[_Link], nodes: PointIndex, context: ReadContext) -> 
         if a in joined or b in joined or gap > OF_EDGE * min(length[a], length[b]):
             continue
         joined |= {a: a, b: a}
-        (x, y), (u, v) = nodes.points[a], nodes.points[b]
-        nodes.points[a] = (x + u) / 2, (y + v) / 2
+        nodes.points[a] = _meeting(loose[at[a][0]], a, loose[at[b][0]], b, nodes)
         closed.append((gap, nodes.points[a], [loose[at[node][0]].source for node in (a, b)]))
     _report_gaps(closed, context)
     return [link._replace(a=joined.get(link.a, link.a), b=joined.get(link.b, link.b)) for link in loose]
+
+
+def _meeting(one: _Link, a: int, other: _Link, b: int, nodes: PointIndex) -> Place:
+    """Return where two straight edges that end at a and b would meet, midway between these if that is not near them."""
+    (ax, ay), (bx, by) = nodes.points[a], nodes.points[b]
+    middle = (ax + bx) / 2, (ay + by) / 2
+    if one.bulge or other.bulge:
+        return middle
+    (cx, cy), (dx, dy) = (nodes.points[link.b if link.a == end else link.a] for link, end in ((one, a), (other, b)))
+    (ux, uy), (vx, vy) = (ax - cx, ay - cy), (bx - dx, by - dy)
+    across = ux * vy - uy * vx
+    if abs(across) <= ROUNDING * math.hypot(ux, uy) * math.hypot(vx, vy):
+        return middle
+    way = ((bx - ax) * vy - (by - ay) * vx) / across
+    met = ax + way * ux, ay + way * uy
+    near = MOST_GAPS * math.dist((ax, ay), (bx, by))
+    return met if max(math.dist(met, (ax, ay)), math.dist(met, (bx, by))) <= near else middle
 
 
 def _near_pairs(ends: list[int], nodes: PointIndex, most: float) -> list[tuple[float, int, int]]:

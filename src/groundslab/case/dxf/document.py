@@ -29,6 +29,8 @@ UNITS: dict[int, tuple[str, Fraction]] = {
 }  # fmt: skip
 
 
+#: Ways in which a header says that lengths are written ($LUNITS): engineering and architectural ones.
+FEET_AND_INCHES = (3, 4)
 #: The largest file that is read [bytes]: reading one takes some ten times its size of memory.
 LARGEST_FILE = 16_000_000
 
@@ -94,6 +96,9 @@ def set_unit(document: Document, given: str | None, context: ReadContext) -> Non
             context.report.append(ReportLine("", "HEADER", "", False, why))
     elif own_unit is not None:
         context.unit, context.scale = own_unit
+        if document.header.get("$LUNITS", 2) in FEET_AND_INCHES and own_unit[0] not in ("in", "ft", "survey_foot"):
+            why = f"the drawing says that its unit is {own_unit[0]}, and writes lengths in feet and inches"
+            context.report.append(ReportLine("", "HEADER", "", False, why))
     else:
         found = f"unit number {code}" if code else "no unit"
         hint = 'say the unit, such as "mm", or set INSUNITS in the drawing'
@@ -128,23 +133,40 @@ class Roles:
     def __init__(self, named: Mapping[str, str], every: bool = False) -> None:
         self.named = named
         self._every = every
-        usual = {getattr(Layers(), role).lower(): role for role in WITH_VALUE}
-        self._starts = usual if every else named
+        usual = {getattr(Layers(), role).lower(): role for role in Layers.__dataclass_fields__}
+        #: Known names as they may be spelled: with other signs between words, usual ones in the singular or plural too.
+        self._forms: dict[str, str] = {}
+        for name, role in (usual if every else named).items():
+            self._forms[_flat(name)] = role
+            if usual.get(name) == role:
+                one = _flat(name).removesuffix("s")
+                self._forms |= {form: role for form in (one, f"{one}s") if form not in named}
 
     def of(self, layer: str) -> str | None:
         """Return the role of a layer, None if it is not read."""
-        name = layer.lower()
-        return self.named.get(name) or (None if self._every else self.named.get(self._start(name)))
+        role = self.named.get(layer.lower())
+        if role is not None or self._every:
+            return role
+        name = _flat(layer)
+        return self._forms.get(name) or self._forms.get(self._start(name))
 
     def suffix(self, layer: str) -> str:
         """Return the part of a layer's name after the known name."""
-        start = self._start(layer.lower())
-        return layer[len(start) :].strip(" _-=") if start else ""
+        start = self._start(_flat(layer))
+        return layer.strip()[len(start) :].strip(" _-=") if start else ""
 
     def _start(self, layer: str) -> str:
         """Return the known name with which that of a layer begins and may go on, empty if there is none."""
-        starts = (name for name, role in self._starts.items() if role in WITH_VALUE and layer.startswith(name))
+        starts = (name for name, role in self._forms.items() if role in WITH_VALUE and layer.startswith(name))
         return max((name for name in starts if not layer[len(name) :][:1].isalpha()), key=len, default="")
+
+
+def _flat(layer: str) -> str:
+    """Return the name of a layer in small letters, with one sign between words and no spaces around it."""
+    return layer.strip().lower().translate(_BETWEEN)
+
+
+_BETWEEN = str.maketrans(" -", "__")
 
 
 def assign_roles(layers: Layers, context: ReadContext) -> Roles:

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from groundslab import units
-from groundslab.case.dxf.chaining import ClosedCurve, join_lines
+from groundslab.case.dxf.chaining import ClosedCurve, join_lines, join_outlines
 from groundslab.case.dxf.classify import find_outline, read_column_points, remark_on_column, report_taken
 from groundslab.case.dxf.curves import DrawnLine, is_filling, read_lines, read_position
 from groundslab.case.dxf.document import (
@@ -22,11 +23,22 @@ from groundslab.case.dxf.document import (
     open_drawing,
     set_unit,
 )
-from groundslab.case.dxf.drawing import CLOSE, GAP, MOST_EDGES, MOST_ENTITIES, Drawing, ReadContext, Source, abort
+from groundslab.case.dxf.drawing import (
+    CLOSE,
+    GAP,
+    MOST_EDGES,
+    MOST_ENTITIES,
+    Drawing,
+    ReadContext,
+    ReportLine,
+    Source,
+    abort,
+)
 from groundslab.case.dxf.entities import BlockCounts, iterate_entities
 from groundslab.case.dxf.loads.distributed_loads import read_area_loads, read_lines_with_values
 from groundslab.case.dxf.loads.labelling import DIMENSION, Label, read_label
 from groundslab.case.dxf.loads.point_loads import read_point_loads
+from groundslab.case.dxf.size import remark_on_size
 from groundslab.errors import InputError, Issue
 from groundslab.geometry.intersections import find_self_meeting
 from groundslab.geometry.plan import Place
@@ -45,13 +57,18 @@ CURVES = ("outline", "openings", "zones", "columns")
 
 
 def read(
-    path: str | Path, layers: Layers | Mapping[str, str] | None = None, unit: str | None = None, gap: float = GAP
+    path: str | Path,
+    layers: Layers | Mapping[str, str] | None = None,
+    unit: str | None = None,
+    gap: float = GAP,
+    union: bool = False,
 ) -> Drawing:
     """Return the contents of a drawing's layers; raises InputError with all issues.
 
     ``layers`` names one for each thing, or says what each holds of all that are read. ``unit`` (such as "mm") is needed
     if the drawing does not say its own, and wins over it. Gaps between the ends of lines up to ``gap`` [m] are closed,
-    if they are no wider than a tenth of the edges that end there; each is reported.
+    if they are no wider than a tenth of the edges that end there; each is reported. With ``union`` outlines that adjoin
+    each other are one.
     """
     context = ReadContext(str(path), gap=gap)
     document = open_drawing(context.path)
@@ -69,9 +86,11 @@ def read(
     lines, points = _lines(entities, context)
     tolerance = _tolerance(lines, points)
     curves_of = {role: join_lines(lines[role], tolerance, context) for role in (*CURVES, "area_loads")}
+    if union:
+        curves_of["outline"] = join_outlines(curves_of["outline"], max(tolerance, gap), context)
     _check_crossings(curves_of, tolerance, context)
     outline, inner = find_outline(
-        curves_of["outline"], entities["outline"], bool(curves_of["openings"]), tolerance, context
+        curves_of["outline"], entities["outline"], bool(curves_of["openings"]) and not union, tolerance, context
     )
     openings = [*inner, *curves_of["openings"]]
     for name, curves in (("opening", openings), ("zone", curves_of["zones"]), ("column", curves_of["columns"])):
@@ -82,7 +101,7 @@ def read(
     columns = [closed.curve for closed in curves_of["columns"]] + read_column_points(
         points, len(curves_of["columns"]), tolerance, context
     )
-    marks = read_point_loads(entities["point_loads"], tolerance, context)
+    marks = read_point_loads(entities["point_loads"], columns, tolerance, context)
     walls, beams, line_loads = (
         read_lines_with_values(role, lines[role], texts[role], roles, tolerance, context)
         for role in ("walls", "beams", "line_loads")
@@ -90,7 +109,7 @@ def read(
     area_loads = read_area_loads(curves_of["area_loads"], texts["area_loads"], roles, context)
     if context.issues or outline is None:
         raise context.to_error()
-    return Drawing(
+    drawing = Drawing(
         outline=outline,
         openings=tuple(opening.curve for opening in openings),
         zones=tuple(closed.curve for closed in curves_of["zones"]),
@@ -104,6 +123,9 @@ def read(
         unit=context.unit,
         scale=float(context.scale),
     )
+    if size := remark_on_size(drawing):
+        drawing = replace(drawing, report=(*drawing.report, ReportLine("", "HEADER", "", False, size)))
+    return drawing
 
 
 def parse_gap(text: str) -> float:

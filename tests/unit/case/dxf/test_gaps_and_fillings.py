@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import random
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -62,21 +63,34 @@ class TestGaps:
         assert len(drawing.outline.points) == 4
         told = remarks(drawing, "a gap of")
         assert len(told) == 1
-        assert f"a gap of {gap:.6g} m was closed at (10, {gap / 2:.10g}) m, LINE " in told[0]
+        assert f"a gap of {gap:.6g} m was closed at (10, {gap:.10g}) m, LINE " in told[0]
         assert told[0] in dxf.report_text(drawing)
 
-    def test_ends_meet_midway(self, tmp_path: Path) -> None:
-        """In millimeters, two gaps in one outline: both ends move by half of the gap."""
+    def test_straight_edges_meet_where_they_would(self, tmp_path: Path) -> None:
+        """In millimeters: a corner that is cut short on one side, one on both, one that is overshot; 10 m by 6 m."""
         drawing = read(
-            lambda space: lines(space, (0, 0, 10000, 0.3), (10000, 0, 10000, 6000), (10000.2, 6000, 0, 6000),
-                                (0, 6000.4, 0, 0.1)),
+            lambda space: lines(space, (0, 0, 9999.5, 0), (10000, 0.3, 10000, 6000.4), (10000.2, 6000, 0, 6000),
+                                (0, 5999.6, 0, 0)),
             tmp_path,
             unit=4,
         )  # fmt: skip
         assert sorted((round(x, 9), round(y, 9)) for x, y in drawing.outline.points) == [
-            (0, 0.00005), (0, 6.0002), (10, 0.00015), (10.0001, 6)
-        ]  # fmt: skip
-        assert len(remarks(drawing, "was closed")) == 4
+            (0, 0),
+            (0, 6),
+            (10, 0),
+            (10, 6),
+        ]
+        assert len(remarks(drawing, "was closed")) == 3
+
+    def test_ends_that_would_meet_far_away_meet_midway(self, tmp_path: Path) -> None:
+        """Two halves of an edge, 0.4 mm off each other, that are nearly parallel; an arc and an edge."""
+        drawing = read(
+            lambda space: lines(space, (0, 0, 5000, 0), (5000, 0.4, 10000, 0), (10000, 0, 10000, 6000),
+                                (10000, 6000, 0, 6000), (0, 6000, 0, 0)),
+            tmp_path,
+            unit=4,
+        )  # fmt: skip
+        assert (5, 0.0002) in {(round(x, 9), round(y, 9)) for x, y in drawing.outline.points}
 
     def test_a_wider_gap_is_closed_on_demand(self, tmp_path: Path) -> None:
         """3 mm are an issue, which says what to do, unless gaps up to 5 mm may be closed; 0 closes none."""
@@ -320,5 +334,193 @@ def test_commas(text: str, value: float) -> None:
 
 def test_a_comma_that_may_be_both() -> None:
     """1,500 kN are 1.5 kN or 1500 kN: the value is not taken, and the reason names both."""
-    assert find_quantity("1,500 kN") == "1,500 may be 1.500 or 1500; write it without a comma"
+    assert find_quantity("1,500 kN") == "1,500 may be 1500 or 1.5; write it without a comma"
     assert find_quantity("axis 1,500") is None
+
+
+def rectangle(space: Modelspace, x: float, y: float, width: float, height: float, layer: str = "OUTLINE") -> None:
+    """Draw a rectangle as one closed polyline."""
+    corners = [(x, y), (x + width, y), (x + width, y + height), (x, y + height)]
+    space.add_lwpolyline(corners, close=True, dxfattribs=on(layer))
+
+
+class TestUnion:
+    """Outlines side by side."""
+
+    def house(self, space: Modelspace) -> None:
+        """Draw a house of 10 m x 8 m, a porch with an arc below it, and a garage 0.5 mm to its right."""
+        rectangle(space, 0, 0, 10, 8)
+        space.add_lwpolyline([(3, 0, 0, 0, 0), (3, -2, 0, 0, 1), (5, -2, 0, 0, 0), (5, 0, 0, 0, 0)], close=True,
+                             dxfattribs=on("OUTLINE"))  # fmt: skip
+        rectangle(space, 10.0005, 2, 3, 5)
+
+    def test_adjoining_outlines_are_one_if_that_is_wanted(self, tmp_path: Path) -> None:
+        """80 + 4 + pi / 2 + 15 m2; else they are refused, with the choice."""
+        document = ezdxf.new("R2010", units=6)
+        self.house(document.modelspace())
+        document.saveas(tmp_path / "plan.dxf")
+        with pytest.raises(InputError, match="--union"):
+            dxf.read(tmp_path / "plan.dxf")
+        drawing = dxf.read(tmp_path / "plan.dxf", union=True)
+        assert drawing.outline.area == pytest.approx(80 + 4 + math.pi / 2 + 15, abs=0.01)
+        assert any(drawing.outline.bulges)
+        assert not drawing.openings
+        assert remarks(drawing, "3 outlines were joined")
+        assert sum(line.entity == "LWPOLYLINE" and line.taken for line in drawing.report) == 3
+
+    def test_a_courtyard_between_outlines_is_an_opening(self, tmp_path: Path) -> None:
+        """Four wings around a court of 4 m x 3 m: 10 x 8 less 12 m2."""
+
+        def draw(space: Modelspace) -> None:
+            for wing in ((0, 0, 10, 2), (0, 5, 10, 3), (0, 2, 3, 3), (7, 2, 3, 3)):
+                rectangle(space, *wing)
+
+        document = ezdxf.new("R2010", units=6)
+        draw(document.modelspace())
+        document.saveas(tmp_path / "plan.dxf")
+        drawing = dxf.read(tmp_path / "plan.dxf", union=True)
+        assert (drawing.outline.area, [opening.area for opening in drawing.openings]) == (80, [12])
+
+    @pytest.mark.parametrize("other", [(5, 2, 8, 3), (12, 0, 3, 3), (0, 0, 10, 4)], ids=["across", "apart", "within"])
+    def test_outlines_that_do_not_adjoin_are_refused(self, other: tuple[float, ...], tmp_path: Path) -> None:
+        """One that lies partly on the other, one apart from it, one within it along three edges."""
+        document = ezdxf.new("R2010", units=6)
+        rectangle(document.modelspace(), 0, 0, 10, 8)
+        rectangle(document.modelspace(), *other)
+        document.saveas(tmp_path / "plan.dxf")
+        with pytest.raises(InputError):
+            dxf.read(tmp_path / "plan.dxf", union=True)
+
+
+class TestValuesBesideColumns:
+    """Forces that stand beside a column without a point."""
+
+    def draw(self, space: Modelspace, text: str, x: float = 3.3) -> None:
+        """Draw a slab with a column of 0.4 m at (3, 3), and a text beside it."""
+        rectangle(space, 0, 0, 10, 6)
+        rectangle(space, 2.8, 2.8, 0.4, 0.4, "COLUMNS")
+        space.add_text(text, height=0.2, dxfattribs=on("LOADS")).set_placement((x, 3.1))
+
+    def test_a_force_beside_a_column_is_a_load_on_it(self, tmp_path: Path) -> None:
+        """860,5 kN in its middle, by the column's name in the case."""
+        drawing = read(lambda space: self.draw(space, "860,5 kN"), tmp_path)
+        (load,) = drawing.point_loads
+        assert (round(load.x, 9), round(load.y, 9), load.value) == (3, 3, 860.5e3)
+        assert 'P = "860.5 kN"\ncolumn = "C1"' in dxf.to_case(drawing)
+        assert any("beside column 1" in line.why for line in drawing.report)
+
+    def test_a_name_beside_a_column_is_no_load(self, tmp_path: Path) -> None:
+        """It is ignored, as before."""
+        assert read(lambda space: self.draw(space, "S1"), tmp_path).point_loads == ()
+
+    @pytest.mark.parametrize("text", ["860,500 kN", "860 m"])
+    def test_what_cannot_be_read_is_an_issue(self, text: str, tmp_path: Path) -> None:
+        """A comma that may group digits, another unit."""
+        with pytest.raises(InputError, match=text):
+            read(lambda space: self.draw(space, text), tmp_path)
+
+    def test_a_load_goes_before_a_column(self, tmp_path: Path) -> None:
+        """A point 1 m off takes its value though the column is nearer; a second value stays an issue."""
+
+        def draw(space: Modelspace) -> None:
+            self.draw(space, "860 kN")
+            space.add_point((4.3, 3), dxfattribs=on("LOADS"))
+
+        (load,) = read(draw, tmp_path).point_loads
+        assert (load.x, load.y, load.value) == (4.3, 3, 860e3)
+
+        def twice(space: Modelspace) -> None:
+            draw(space)
+            space.add_text("300 kN", height=0.2, dxfattribs=on("LOADS")).set_placement((3.3, 2.8))
+
+        with pytest.raises(InputError, match="a second value"):
+            read(twice, tmp_path)
+
+
+class TestUnits:
+    """The unit of a drawing against what it holds."""
+
+    def test_a_house_in_inches_that_says_millimeters(self, tmp_path: Path) -> None:
+        """700 by 380 are 0.7 m by 0.38 m in millimeters, 17.8 m by 9.65 m in inches, 7 m by 3.8 m in centimeters."""
+        drawing = read(lambda space: rectangle(space, 0, 0, 700, 380), tmp_path, unit=4)
+        (said,) = (line.why for line in drawing.report if line.entity == "HEADER")
+        assert said == (
+            "the unit is mm, which makes it a slab of 0.7 m x 0.38 m; it would be 7 m x 3.8 m in cm, "
+            "17.8 m x 9.65 m in in or 213 m x 116 m in ft"
+        )
+        assert said in dxf.report_text(drawing)
+        assert "# Check the unit: the unit is mm" in dxf.to_case(drawing)
+
+    def test_columns_tell_as_well(self, tmp_path: Path) -> None:
+        """A slab of 30 m x 20 m in millimeters that says inches has columns of 10 m; as it is, nothing is said."""
+
+        def draw(space: Modelspace) -> None:
+            rectangle(space, 0, 0, 15000, 9000)
+            rectangle(space, 2000, 2000, 400, 400, "COLUMNS")
+
+        wrong, right = (read(draw, tmp_path, unit=unit) for unit in (1, 4))
+        (said,) = (line.why for line in wrong.report if line.entity == "HEADER")
+        assert "381 m x 229 m with columns up to 10.2 m wide; it would be 15 m x 9 m in mm" in said
+        assert not any(line.entity == "HEADER" for line in right.report)
+
+    @pytest.mark.parametrize(("written", "told"), [(2, False), (4, True), (3, True)])
+    def test_feet_and_inches_in_a_metric_drawing(self, written: int, told: bool, tmp_path: Path) -> None:
+        """A header that says millimeters and writes lengths as architects in inches do."""
+
+        def draw(space: Modelspace) -> None:
+            rectangle(space, 0, 0, 15000, 9000)
+            assert space.doc is not None
+            space.doc.header["$LUNITS"] = written
+
+        drawing = read(draw, tmp_path, unit=4)
+        assert any("feet and inches" in line.why for line in drawing.report) == told
+
+
+@pytest.mark.parametrize("seed", range(25))
+def test_layers_and_units_spelled_in_other_ways(seed: int, tmp_path: Path) -> None:
+    """Capitals, spaces, signs, singular and plural of layers, spaces and commas of values: always the same slab."""
+    chance = random.Random(seed)
+
+    def spelled(name: str) -> str:
+        one = name.removesuffix("S")
+        name = chance.choice([one, one + "S"]).replace("_", chance.choice("_ -"))
+        return chance.choice([str.upper, str.lower, str.title])(name)
+
+    def draw(space: Modelspace) -> None:
+        rectangle(space, 0, 0, 10, 6, spelled("OUTLINE"))
+        rectangle(space, 4, 2, 1, 1, spelled("OPENINGS"))
+        rectangle(space, 2, 2, 0.4, 0.4, spelled("COLUMNS"))
+        value = chance.choice(["860.5 kN", "860,5 kN", "860,5kN", "F = 860.5 kN", "P: 860,5 kN"])
+        space.add_text(value, height=0.2, dxfattribs=on(spelled("LOADS"))).set_placement((2.5, 2.2))
+        thick = f"{spelled('WALLS')}{chance.choice('_ -')}{chance.choice(['25 cm', '250 mm', '0,25 m'])}"
+        space.add_line((1, 5), (9, 5), on(thick))
+        space.add_line(
+            (1, 1), (9, 1), on(f"{spelled('LOAD_LINE')} {chance.choice(['20 kN_m', '20,0 kN-m', '20.0 kN_m'])}")
+        )
+
+    drawing = read(draw, tmp_path)
+    assert (drawing.outline.area, [opening.area for opening in drawing.openings]) == (60, [1])
+    assert [load.value for load in drawing.point_loads] == [860.5e3]
+    assert [wall.value for wall in drawing.walls] == [0.25]
+    assert [load.value for load in drawing.line_loads] == [20e3]
+
+
+@pytest.mark.parametrize(
+    ("text", "thickness", "points", "told"),
+    [("", 0.25, 2, False), ("25 cm", 0.25, 2, False), ("30 cm", 0.3, 2, True), ("8 cm", 0.08, 4, True)],
+)
+def test_the_thickness_of_a_wall_and_its_faces(
+    text: str, thickness: float, points: int, told: bool, tmp_path: Path
+) -> None:
+    """A strip of 0.25 m is a wall along its middle whose text counts, with a remark; 80 mm are walls along edges."""
+
+    def draw(space: Modelspace) -> None:
+        rectangle(space, 0, 0, 10, 6)
+        rectangle(space, 2, 3, 5, 0.25, "WALLS")
+        if text:
+            space.add_text(text, height=0.2, dxfattribs=on("WALLS")).set_placement((3, 3.4))
+
+    drawing = read(draw, tmp_path)
+    (wall,) = drawing.walls
+    assert (wall.value, len(wall.points)) == (pytest.approx(thickness), points)
+    assert bool(remarks(drawing, "a wall of")) == (told and points == 2)

@@ -15,7 +15,7 @@ from groundslab.case.dxf.chaining import ClosedCurve, PointIndex
 from groundslab.case.dxf.classify import EnclosingCurves, faces_of_wall, report_taken
 from groundslab.case.dxf.curves import DrawnLine
 from groundslab.case.dxf.document import Roles
-from groundslab.case.dxf.drawing import DOUBLE, AreaMark, LineMark, ReadContext, Source
+from groundslab.case.dxf.drawing import DOUBLE, GAP, AreaMark, LineMark, ReadContext, Source
 from groundslab.case.dxf.loads import labelling
 from groundslab.errors import Issue
 from groundslab.geometry.plan import Place, Ring, Segment, segment
@@ -70,13 +70,18 @@ def read_lines_with_values(
         starts, ends_of, bulges = zip(*parts, strict=True)
         closed = len(parts) > 1 and math.dist(starts[0], ends_of[-1]) <= tolerance
         points = starts if closed else (*starts, ends_of[-1])
-        if role == "walls" and value is None:
+        if role == "walls":
             faces = faces_of_wall(points, bulges) if closed else None
-            if faces is not None:
-                points, value = faces
-                bulges, how = (0.0,), f" of {units.show(value, 'length')}, by its two faces"
-            elif width:
-                value, how = width, f" of {units.show(width, 'length')}, by the width of the line"
+            # walls along all four edges of a strip are thinner than half of it
+            if faces is not None and (value is None or value > faces[1] / 2):
+                (points, width), bulges = faces, (0.0,)
+            by = "its two faces" if faces is not None else "the width of the line"
+            if value is None and width:
+                value, how = width, f" of {units.show(width, 'length')}, by {by}"
+            elif value is not None and width and abs(value - width) > GAP:
+                said, is_drawn = (units.show(each, "length") for each in (value, width))
+                why = f"a wall of {said} by its text or layer and of {is_drawn} by {by}: {said} counts"
+                context.report_entity(Source(mark.source.layer, "LAYER", ""), True, why)
         context.report_entity(mark.source, True, f"{role.replace('_', ' ').removesuffix('s')}{how}")
         loads.append(LineMark(points, bulges, value, labelling.join_texts(mark)))
     return loads

@@ -12,6 +12,7 @@ import numpy as np
 
 from groundslab import units
 from groundslab.case.dxf.drawing import FARTHEST, ReadContext, Source
+from groundslab.case.numbers import format_number, readings, why_unclear
 from groundslab.geometry.plan import Place
 from groundslab.schema.wording import describe, with_article
 
@@ -26,10 +27,6 @@ _WITH_UNIT = re.compile(rf"{units.NUMBER}\s*[A-Za-z]+")
 _WITH_UNITS = re.compile(rf"{units.NUMBER}\s*[A-Za-z]+(?:\s?/\s?[A-Za-z]+(?:\^?2|²)?)?")
 #: A number with commas: 600,5 or 1,234.5 or 1.234,5.
 _COMMA = re.compile(r"(?<![\w.,])\d[\d.]*,[\d.,]*\d(?![.,]?\d)")
-_GROUPED = re.compile(r"\d{1,3}(?:,\d{3})+\.\d+|\d{1,3}(?:,\d{3}){2,}")
-_GROUPED_BY_POINTS = re.compile(r"\d{1,3}(?:\.\d{3})+,\d+")
-#: Its comma may stand for the decimal point, or before thousands.
-_EITHER = re.compile(r"[1-9]\d{0,2},\d{3}")
 #: What a load is given in, and a wall by its thickness, by what the layer holds.
 DIMENSION = {
     "point_loads": "force", "walls": "length", "beams": "section", "line_loads": "force per length",
@@ -63,21 +60,14 @@ def find_quantity(words: str, dimension: str = "force") -> float | str | None:
     if dimension == "section":
         return None
     value = _find_quantity(_COMMA.sub(_with_point, words), dimension)
-    unclear = [match[0] for match in _COMMA.finditer(words) if _EITHER.fullmatch(match[0])]
-    if unclear and isinstance(value, float):
-        number = unclear[0]
-        return f"{number} may be {number.replace(',', '.')} or {number.replace(',', '')}; write it without a comma"
-    return value
+    unclear = [why for match in _COMMA.finditer(words) if (why := why_unclear(match[0]))]
+    return f"{unclear[0]}; write it without a comma" if unclear and isinstance(value, float) else value
 
 
 def _with_point(match: re.Match[str]) -> str:
     """Return a number that has commas as one with a decimal point; what is none stays as it is."""
-    number = match[0]
-    if _GROUPED.fullmatch(number):
-        return number.replace(",", "")
-    if _GROUPED_BY_POINTS.fullmatch(number):
-        return number.replace(".", "").replace(",", ".")
-    return number.replace(",", ".") if number.count(",") == 1 and "." not in number else number
+    found = readings(match[0])
+    return format_number(found[0]) if found else match[0]
 
 
 def _find_quantity(words: str, dimension: str) -> float | str | None:
@@ -204,19 +194,25 @@ class PendingLoad:
     values: list[float] = field(default_factory=list)
     texts: list[str] = field(default_factory=list)
     unclear: list[str] = field(default_factory=list)
+    column: bool = False  # a column that takes the values beside it, where no load is near them
 
 
 def assign_texts(marks: Sequence[PendingLoad], texts: Sequence[Label], role: str, context: ReadContext) -> None:
     """Give each text to the nearest mark; the nearest pairs first, and one value to a mark."""
     what = role.replace("_", " ").removesuffix("s")
     pairs = (
-        (gap, marks[m].size, t, m) for gap, t, m in find_nearest_loads(texts, [mark.shape for mark in marks], context)
+        (marks[m].column, gap, marks[m].size, t, m)
+        for gap, t, m in find_nearest_loads(texts, [mark.shape for mark in marks], context)
     )
     given: set[int] = set()
     near: set[int] = set()
-    for _, _, t, m in sorted(pairs):
+    beside: set[int] = set()  # of these the texts that only columns are near
+    for of_column, *_, t, m in sorted(pairs):
         text, mark = texts[t], marks[m]
+        if of_column and (not isinstance(text.value, float) or t in near - beside):
+            continue
         near.add(t)
+        beside |= {t} if of_column else set()
         if t in given or (isinstance(text.value, float) and mark.values):
             continue
         given.add(t)

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from groundslab.case.dxf.chaining import PointIndex
+from groundslab.case.dxf.classify import SAME, footprint_of
 from groundslab.case.dxf.curves import read_position
 from groundslab.case.dxf.drawing import DOUBLE, FARTHEST, PointMark, ReadContext, Source
 from groundslab.case.dxf.loads import labelling
+from groundslab.geometry.plan import Place, Ring
 from groundslab.schema.wording import describe
 
 if TYPE_CHECKING:
@@ -17,9 +20,15 @@ if TYPE_CHECKING:
 
 
 def read_point_loads(
-    entities: list[tuple[Source, DXFEntity]], tolerance: float, context: ReadContext
+    entities: list[tuple[Source, DXFEntity]],
+    columns: Sequence[Ring | Place],
+    tolerance: float,
+    context: ReadContext,
 ) -> list[PointMark]:
-    """Return the point loads with the values that stand beside them or in their attributes."""
+    """Return the point loads with the values that stand beside them or in their attributes.
+
+    A value that stands beside a column, and beside no load, is that of a load on the column.
+    """
     from ezdxf.entities import Insert
     from shapely import points
 
@@ -51,8 +60,27 @@ def read_point_loads(
                 context.report_entity(source, False, DOUBLE)
     for mark, shape in zip(marks, points(np.reshape([mark.point for mark in marks], (-1, 2))), strict=True):
         mark.shape = shape.buffer(mark.size) if mark.size else shape
-    labelling.assign_texts(marks, texts, "point_loads", context)
-    return [_point_mark(mark, context) for mark in marks]
+    on_columns = list(_column_marks(columns, marks)) if texts else []
+    labelling.assign_texts([*marks, *on_columns], texts, "point_loads", context)
+    found = [PointMark(*mark.point, mark.values[0], labelling.join_texts(mark)) for mark in on_columns if mark.values]
+    return [*(_point_mark(mark, context) for mark in marks), *found]
+
+
+def _column_marks(
+    columns: Sequence[Ring | Place], marks: Sequence[labelling.PendingLoad]
+) -> Iterator[labelling.PendingLoad]:
+    """Yield a mark in the middle of each column on which no load stands."""
+    from shapely import Point, STRtree
+
+    tree = STRtree([mark.shape for mark in marks])
+    for number, column in enumerate(columns, 1):
+        if isinstance(column, Ring):
+            shape, footprint = column.polygon(SAME * max(column.sides)), footprint_of(column, "")
+            middle = (shape.centroid.x, shape.centroid.y) if footprint is None else footprint.centre
+        else:
+            shape, middle = Point(column), column
+        if not len(tree.query(shape, predicate="intersects")):
+            yield labelling.PendingLoad(Source("", f"column {number}", ""), middle, shape, column=True)
 
 
 def _read_attributes(insert: Insert, mark: labelling.PendingLoad) -> None:
