@@ -11,23 +11,24 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
-from functools import partial
 
 import numpy as np
 
-from groundslab.arrays import Array
+from groundslab.arrays import Array, Integers
 from groundslab.design.basis.combinations import ultimate_results
+from groundslab.design.basis.design_code import TensionZone
 from groundslab.design.bending import Reinforcement as Bending
 from groundslab.design.codes import code_of
-from groundslab.design.demands.section_cuts import moments_across
+from groundslab.design.demands.section_cuts import length_across, moments_across
+from groundslab.design.eurocode2.struts import LEVER
 from groundslab.fem.mesh import Mesh, locate
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.model.structure.beams import Beam, GivenSection, RibSection
 from groundslab.results.record import BeamResult
 from groundslab.results.results import CombinationResult, Results
 
-#: What is looked for: bars at both faces, and links.
-WHAT = ("bottom", "top", "links")
+#: What is looked for: bars at both faces, links, and bars across a rib between its web and flange.
+WHAT = ("bottom", "top", "links", "flange")
 #: So much of a piece's length beside its middle the plate's thickness is looked up.
 BESIDE = 1e-2
 #: Such a share of the way to the next place cuts across the flange move off the ends of a beam and places of jumps.
@@ -40,7 +41,7 @@ TIE = 1e-15
 
 @dataclass(frozen=True, slots=True)
 class BeamNeed:
-    """What a beam needs of bars at a face [m2], or of links [m2/m], where it needs most of them."""
+    """What a beam needs of bars at a face [m2], of links or bars across it [m2/m], where it needs most of them."""
 
     beam: str
     what: str  # one of WHAT
@@ -49,6 +50,8 @@ class BeamNeed:
     force: float  # design moment [N m], sagging positive, or shear force [N]
     way: float  # where, from the beam's start [m]
     combination: str
+    stress: float = 0.0  # shear between web and flange [Pa]
+    limit: float = 0.0  # of that what struts bear [Pa]
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,6 +63,20 @@ class _Section:
     compressed: tuple[float, float]  # width where the beam sags, where it hogs [m]
     flange: Array  # (k,): thickness of the flange [m]; infinite without one
     d: tuple[Array, Array]  # (k,) each: effective depth where it sags, where it hogs [m]
+
+    def tension(self, face: int) -> TensionZone:
+        """Return the zone in tension before it cracks, at the bottom where it sags (face 0) or at the top (1)."""
+        h, b, wide, width = self.h, self.b, max(self.compressed), self.compressed[1 - face]
+        t = np.minimum(self.flange, h)
+        A, web = wide * t + b * (h - t), b * (h - t)
+        y = (wide * t**2 / 2 + web * (h + t) / 2) / A  # of the centroid from the flange's face
+        inertia = (
+            wide * t**3 / 12 + wide * t * (y - t / 2) ** 2 + web * (h - t) ** 2 / 12 + web * ((h + t) / 2 - y) ** 2
+        )
+        of_flange = width > b
+        inside = np.minimum(t, y)
+        mean = (wide * inside + b * (y - inside)) / y if of_flange else np.full(len(h), b)
+        return TensionZone(self.d[face], inertia / (y if of_flange else h - y), mean, b, width)
 
 
 def beam_needs(combined: Results, steel: Reinforcement) -> list[BeamNeed]:
@@ -78,22 +95,31 @@ def section_forces(results: CombinationResult, beam: Beam, own: BeamResult) -> B
     """Return a beam with M and V of its section: of a rib with what the slab carries over the flange's width."""
     if not isinstance(beam.section, RibSection):
         return own
-    runs = np.split(np.arange(len(own.way)), np.flatnonzero(np.diff(own.way) <= SAME * own.way[-1]) + 1)
-    runs = [run for run in runs if len(run) > 1]
-    along, turn = np.zeros_like(own.nodes), np.zeros(len(own.way))
-    for run in runs:
-        way = _slope(own.nodes[run], own.way[run])
-        along[run] = way / np.linalg.norm(way, axis=1, keepdims=True)
-        turn[run] = _slope(np.unwrap(np.arctan2(along[run, 1], along[run, 0])), own.way[run])
-    middle = own.nodes.copy()
-    for run in runs:  # off the lines at which the slab's moments may jump
-        middle[run[[0, -1]]] += INSIDE * (middle[run[[1, -2]]] - middle[run[[0, -1]]])
-    left = beam.section.flange_width / 2 * np.stack([-along[:, 1], along[:, 0]], axis=1)
+    middle, left = _across(own, beam.section.flange_width / 2)
     M, T = moments_across(results.plate, np.stack([middle - left, middle + left], axis=1))
-    V = -turn * T
-    for run in runs:
-        V[run] += _slope(M[run], own.way[run])
+    V = np.zeros(len(M))
+    for run in _runs(own):
+        turn = _slope(np.unwrap(np.arctan2(left[run, 1], left[run, 0])), own.way[run])
+        V[run] = _slope(M[run], own.way[run]) - turn * T[run]
     return replace(own, moment=own.moment + M, shear=own.shear + V)
+
+
+def _runs(own: BeamResult) -> list[Integers]:
+    """Return the places between which section forces are smooth."""
+    return np.split(np.arange(len(own.way)), np.flatnonzero(np.diff(own.way) <= SAME * own.way[-1]) + 1)
+
+
+def _across(own: BeamResult, distance: float) -> tuple[Array, Array]:
+    """Return places along a beam (k, 2) [m], and vectors so long [m] to its left (k, 2).
+
+    They are off the lines at which what the slab carries may jump.
+    """
+    middle, left = own.nodes.copy(), np.zeros_like(own.nodes)
+    for run in _runs(own):
+        along = _slope(own.nodes[run], own.way[run])
+        left[run] = distance * np.column_stack([-along[:, 1], along[:, 0]]) / np.linalg.norm(along, axis=1)[:, None]
+        middle[run[[0, -1]]] += INSIDE * (middle[run[[1, -2]]] - middle[run[[0, -1]]])
+    return middle, left
 
 
 def _slope(values: Array, way: Array) -> Array:
@@ -120,7 +146,7 @@ def _needs(results: CombinationResult, number: int, beam: Beam, steel: Reinforce
     for face, (what, sign) in enumerate((("bottom", 1.0), ("top", -1.0))):
         m = np.maximum(sign * M, 0.0)
         area = _bars(required, m, section, face)
-        least = _at_each(partial(code.beams.minimum, steel, state), section.d[face], section.h) * section.b
+        least = code.beams.minimum(steel, state, section.tension(face))
         yield need(what, area, np.where(m > 0, least, 0.0), np.where(m > 0, M, 0.0), own.way)
     part = own.between_ends(float(np.minimum(*section.d).min()))
     section = _section(results, beam, part, steel)
@@ -132,12 +158,40 @@ def _needs(results: CombinationResult, number: int, beam: Beam, steel: Reinforce
         links[some] = code.beams.links(steel, state, v[some], float(depth)) * section.b
         least[some] = code.beams.links(steel, state, np.zeros(1), float(depth)) * section.b
     yield need("links", links, least, V, part.way)
+    if isinstance(beam.section, RibSection):
+        share = np.interp(part.way, own.way, _larger_side(results, own, section))
+        yield _flange_need(results, part, section, share, steel)
 
 
-def _at_each(rule: Callable[[float, float], float], d: Array, h: Array) -> Array:
-    """Return what a rule gives for depths (k,) and heights (k,) [m]."""
-    pairs, which = np.unique(np.column_stack([d, h]), axis=0, return_inverse=True)
-    return np.array([rule(float(depth), float(height)) for depth, height in pairs])[which.reshape(-1)]
+def _flange_need(
+    results: CombinationResult, part: BeamResult, section: _Section, share: Array, steel: Reinforcement
+) -> BeamNeed:
+    """Return what a rib needs across it for v = V / z times the share (k,) of the flange on its larger side."""
+    code, state = code_of(steel), results.limit_state
+    assert code.beams is not None
+    rule = code.beams.flange
+    sags = part.moment > 0
+    stress = np.abs(part.shear) / (LEVER * np.where(sags, *section.d)) * share / section.flange
+    compressed = sags == (section.compressed[0] > section.b)
+    area = rule.bars(steel, state, stress, compressed) * section.flange
+    most = int(np.argmax(area + TIE * stress))
+    force, way = float(part.shear[most]), float(part.way[most])
+    limit = rule.limit(steel, state)
+    return BeamNeed(part.name, "flange", float(area[most]), 0.0, force, way, results.combination,
+                    float(stress[most]), limit)  # fmt: skip
+
+
+def _larger_side(results: CombinationResult, own: BeamResult, section: _Section) -> Array:
+    """Return the share (k,) of the flange's width on the plate that lies on the side on which it reaches further."""
+    near, far = section.b / 2, max(section.compressed) / 2
+    if far <= near:
+        return np.zeros(len(own.way))
+    middle, left = _across(own, 1.0)
+    sides = [
+        length_across(results.plate, np.stack([middle + sign * near * left, middle + sign * far * left], axis=1))
+        for sign in (1.0, -1.0)
+    ]
+    return np.asarray(np.maximum(*sides) / (sides[0] + sides[1] + section.b))
 
 
 def _bars(required: Callable[..., Bending], m: Array, section: _Section, face: int) -> Array:

@@ -16,7 +16,7 @@ from groundslab.design.aci318.checks import (
 )
 from groundslab.design.aci318.checks.remarks import remarks
 from groundslab.design.basis import wide_beam
-from groundslab.design.basis.design_code import BeamRule, Clauses, DesignCode, PunchingRule, ShearRule
+from groundslab.design.basis.design_code import BeamRule, Clauses, DesignCode, FlangeRule, PunchingRule, ShearRule
 from groundslab.design.bending import BendingRule
 from groundslab.model.design.reinforcement import Reinforcement
 
@@ -52,7 +52,12 @@ ACI318 = DesignCode(
         steps=two_way_steps.STEPS,
         links=links.links,
     ),
-    beams=BeamRule(minimum=beams.minimum, links=beams.links, clauses="22.3, 22.5, 9.6.1.2, 9.6.3.4"),
+    beams=BeamRule(
+        minimum=beams.minimum,
+        links=beams.links,
+        clauses="22.3, 22.5, 9.6.1.2, 9.6.3.4",
+        flange=FlangeRule(beams.flange_bars, beams.flange_limit, "22.9"),
+    ),
     bars=bars.checks,
     detailing=detailing.RULE,
     remarks=remarks,

@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import NamedTuple
 
-from groundslab.arrays import Array
+from groundslab.arrays import Array, Flags
 from groundslab.design.basis.bending_steps import BarsNeeded
 from groundslab.design.basis.calculation import Step
 from groundslab.design.basis.check import DesignCheck, not_judged
@@ -113,6 +113,36 @@ class PunchingRule:
     links: Callable[[Results, Reinforcement], Iterator[LinkDemand]] | None = None
 
 
+class TensionZone(NamedTuple):
+    """What of the sections (k,) of a beam is in tension before it cracks, one face of it."""
+
+    d: Array  # (k,): effective depth [m]
+    modulus: Array  # (k,): section modulus of the whole section for that face [m3]
+    mean_width: Array  # (k,): of the web alone where the flange is compressed [m]
+    web: float  # width of the web [m]
+    face: float  # width of the face in tension, of a flange or the web [m]
+
+
+@dataclass(frozen=True, slots=True)
+class FlangeRule:
+    """The shear between a web and its flange.
+
+    Attributes
+    ----------
+    bars : callable
+        Of materials, a limit state, shear stresses (n,) [Pa] and where the flange is compressed (n,): bars across the
+        web over the flange's thickness (n,) [m2/m per m]; inf where none help.
+    limit : callable
+        Of materials and a limit state: the largest stress that bars help against [Pa].
+    clauses : str
+        Where the code rules it.
+    """
+
+    bars: Callable[[Reinforcement, str, Array, Flags], Array]
+    limit: Callable[[Reinforcement, str], float]
+    clauses: str
+
+
 @dataclass(frozen=True, slots=True)
 class BeamRule:
     """Beams and ribs, beyond what they share with slabs.
@@ -120,17 +150,20 @@ class BeamRule:
     Attributes
     ----------
     minimum : callable
-        Of materials, a limit state, depth and height [m]: the least bars in tension over the width of the web [m].
+        Of materials, a limit state and a zone in tension: the least bars in it (k,) [m2].
     links : callable
         Of materials, a limit state, shear forces over the width of the web (n,) [N/m] and a depth [m]: links per area
         in plan (n,) [m2/m2], not less than the least ones; inf where none help.
     clauses : str
         Where the code rules these.
+    flange : FlangeRule
+        The shear between web and flange.
     """
 
-    minimum: Callable[[Reinforcement, str, float, float], float]
+    minimum: Callable[[Reinforcement, str, TensionZone], Array]
     links: Callable[[Reinforcement, str, Array, float], Array]
     clauses: str
+    flange: FlangeRule
 
 
 @dataclass(frozen=True, slots=True)

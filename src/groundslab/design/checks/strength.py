@@ -18,7 +18,7 @@ from groundslab.design.basis.unjudged import GIVEN_SECTION
 from groundslab.design.checks import pulling
 from groundslab.design.codes import code_of
 from groundslab.model.loads.load_cases import STRENGTH
-from groundslab.model.structure.beams import GivenSection, RibSection
+from groundslab.model.structure.beams import GivenSection
 from groundslab.model.supports import Pile
 from groundslab.results.results import Results
 
@@ -62,11 +62,12 @@ def _beams(combined: Results, code: DesignCode) -> Iterator[DesignCheck]:
     given = [beam.name for beam in combined.model.beams if isinstance(beam.section, GivenSection)]
     if given:
         yield not_judged("beams by their properties", GIVEN_SECTION, f"the strength of {some(given)}")
-    if any(isinstance(beam.section, RibSection) for beam in combined.model.beams):
-        yield DesignCheck("flanges", "not checked", "the shear between ribs and their flanges is not checked")
     needs = beam_bars.beam_needs(combined, steel)
     if not needs:
         return
+    if flanges := [need for need in needs if need.what == "flange"]:
+        yield _flanges(flanges, f"{code.name} {code.beams.flange.clauses}")
+        needs = [need for need in needs if need.what != "flange"]
     clause = f"{code.name} {code.beams.clauses}"
     failing = [need for need in needs if np.isinf(need.area)]
     if not failing:
@@ -81,6 +82,22 @@ def _beams(combined: Results, code: DesignCode) -> Iterator[DesignCheck]:
         f'{worst.beam}, {worst.what}, {worst.way:.2f} m from its start: {force} in "{worst.combination}"'
     )
     yield DesignCheck("beams", "fails", words, of=worst.beam, combination=worst.combination, clause=clause)
+
+
+def _flanges(needs: list[beam_bars.BeamNeed], clause: str) -> DesignCheck:
+    """Return whether the shear between ribs and their flanges can be carried, with the bars across that it takes."""
+    worst = max(needs, key=lambda need: need.stress / need.limit)
+    used = worst.stress / worst.limit
+    words = (
+        f"the shear between {worst.beam} and its flange, {worst.stress / 1e6:.3g} MPa {worst.way:.2f} m from its "
+        f"start, is {used:.3g} times what its concrete bears"
+    )
+    if used <= 1:
+        words += f"; it needs {worst.area * 1e4:.3g} cm2/m of bars across it, those of the slab among them"
+    return DesignCheck(
+        "flanges", "no failure found" if used <= 1 else "fails", words, of=worst.beam, demand=worst.stress / 1e6,
+        resistance=worst.limit / 1e6, unit="MPa", combination=worst.combination, clause=clause,
+    )  # fmt: skip
 
 
 def _punching(combined: Results, code: DesignCode) -> Iterator[DesignCheck]:

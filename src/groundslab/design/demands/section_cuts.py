@@ -152,6 +152,14 @@ def moments_across(plate: PlateResult, ends: Array) -> tuple[Array, Array]:
     return bending, twist
 
 
+def length_across(plate: PlateResult, ends: Array) -> Array:
+    """Return how much of straight cuts (l, 2, 2) [m] lies on the plate (l,) [m]."""
+    line = pieces(Mesh(plate.nodes, plate.elements), ends)
+    found = np.zeros(len(ends))
+    np.add.at(found, line.leg, line.length)
+    return found
+
+
 #: Pieces of lines in the elements of a mesh, which combinations have in common, by the ends of their legs.
 _LINES: Memo[dict[bytes, Pieces]] = Memo()
 

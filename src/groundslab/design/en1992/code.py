@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from groundslab.design.basis.design_code import BeamRule, Clauses, DesignCode, PunchingRule, ShearRule
+from groundslab.design.basis.design_code import BeamRule, Clauses, DesignCode, FlangeRule, PunchingRule, ShearRule
 from groundslab.design.bending import BendingRule
 from groundslab.design.en1992 import beams, bending, detailing, shear
 from groundslab.design.en1992.case_materials import materials
@@ -49,7 +49,12 @@ EN1992 = DesignCode(
         steps=punching_steps.STEPS,
         links=links.links,
     ),
-    beams=BeamRule(minimum=beams.minimum, links=beams.links, clauses="6.1, 6.2.3, 9.2.1.1(1), 9.2.2(5)"),
+    beams=BeamRule(
+        minimum=beams.minimum,
+        links=beams.links,
+        clauses="6.1, 6.2.3, 9.2.1.1(1), 9.2.2(5)",
+        flange=FlangeRule(beams.flange_bars, beams.flange_limit, "6.2.4"),
+    ),
     bars=bars.checks,
     detailing=detailing.RULE,
     fire=fire.checks,

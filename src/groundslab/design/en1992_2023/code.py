@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from groundslab.design.basis.design_code import BeamRule, Clauses, DesignCode, PunchingRule, ShearRule
+from groundslab.design.basis.design_code import BeamRule, Clauses, DesignCode, FlangeRule, PunchingRule, ShearRule
 from groundslab.design.bending import BendingRule
 from groundslab.design.en1992_2023 import beams, bending, shear
 from groundslab.design.en1992_2023.case_materials import materials
@@ -47,7 +47,12 @@ EN1992_2023 = DesignCode(
         steps=punching_steps.STEPS,
         links=punching.links,
     ),
-    beams=BeamRule(minimum=beams.minimum, links=beams.links, clauses="8.1, 8.2.3, 12.2(2), 12.2(4)"),
+    beams=BeamRule(
+        minimum=beams.minimum,
+        links=beams.links,
+        clauses="8.1, 8.2.3, 12.2(2), 12.2(4)",
+        flange=FlangeRule(beams.flange_bars, beams.flange_limit, "8.2.5"),
+    ),
     bars=bars.checks,
     remarks=remarks,
 )

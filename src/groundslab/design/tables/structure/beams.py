@@ -73,6 +73,8 @@ def beam_reinforcement(combined: Results, steel: Reinforcement) -> Table:
         f"By {code.name} {code.beams.clauses}, over all ultimate combinations, in addition to the slab's bars. Moments "
         "and shear forces of ribs are those of the T or L: with the slab's own over the effective width. Shear forces "
         "count from the effective depth away from the beam's ends.",
+        "Bars of a flange are those across the rib, at both faces together, that carry the shear between web and "
+        "flange, V / z times the share of one side. Those that the slab has there count.",
         "The least bars or links are in the unit of the required ones. Torsion is not designed for: it is that of "
         "compatibility (EN 1992-1-1 6.3.1(2), ACI 318-19 22.7.3.2). inf: the concrete is too weak for any "
         "reinforcement.",
@@ -87,6 +89,6 @@ def _need(need: BeamNeed) -> list[Cell]:
     area, force = need.area * 1e4, need.force / 1e3
     about: list[Cell] = [need.beam, need.what]
     rest: list[Cell] = [need.least * 1e4, need.way, need.combination]
-    if need.what == "links":
+    if need.what in ("links", "flange"):
         return [*about, None, area, *rest, None, force]
     return [*about, area, None, *rest, force, None]
