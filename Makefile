@@ -15,12 +15,15 @@ PYTHONS ?= 3.11 3.12 3.13 3.14
 CASES  ?=
 # where another solver can make a difference
 SOLVING := tests/unit/solvers tests/unit/analysis tests/unit/results tests/verification tests/properties
+# further options for pytest, such as OPTIONS="-k punching"
+OPTIONS ?=
 # options for the bench, such as BENCH=--resume
 BENCH  ?=
 
 QUIET     := --quiet --disable-pip-version-check
 INSTALL   := $(BIN)/python -m pip install $(QUIET)
-PYTEST    := OMP_NUM_THREADS=1 $(BIN)/python -m pytest -n $(JOBS)
+# a process takes neighboring tests, which share what their module has solved, and the others' when it has no more
+PYTEST    := OMP_NUM_THREADS=1 $(BIN)/python -m pytest -n $(JOBS) --dist worksteal --durations 25 $(OPTIONS)
 # Node.js of lock/node.txt, where the machine has none that is recent enough
 WITH_NODE := PATH="$$PWD/$(BIN):$$PATH"
 COMPILE   := $(BIN)/uv pip compile --quiet --universal --python-version 3.11 --generate-hashes --no-header --no-emit-index-url --no-annotate --no-strip-extras
@@ -84,7 +87,7 @@ pages: $(VENV)/run.stamp ## build the pages of report and workbench, if older th
 pages-test: pages web/node_modules/.package-lock.json ## test the code of the pages
 	$(WITH_NODE); cd web && npm test
 
-dist: $(VENV)/run.stamp ## build sdist and wheel under dist/
+dist: pages             ## build sdist and wheel under dist/
 	$(WITH_NODE) $(BIN)/python -m hatchling build --clean
 
 dist-test: dist $(VENV)/dev.stamp ## check both, install each without the repository, and run it

@@ -26,7 +26,11 @@ VIEW = """async (drawing) => {
   const { left, top, width, height } = drawing.getBoundingClientRect();
   return [left, top, width, height, drawing.dataset.view];
 }"""
-ARGUMENTS = ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
+#: The page is drawn without a GPU; only pictures in three dimensions need one, which is imitated.
+ARGUMENTS = [
+    "--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-gpu-compositing",
+    "--disable-gpu-rasterization",
+]  # fmt: skip
 STATIC = ROOT / "src" / "groundslab" / "workbench" / "static"
 
 SMALL = """\

@@ -74,10 +74,10 @@ def at_once(module: str) -> set[str]:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("module", MODULES)
-def test_heavy_libraries_are_imported_when_used(module: str) -> None:
+def test_heavy_libraries_are_imported_when_used() -> None:
     """Plots, files, tables, units and solvers cost nothing until a function needs them."""
-    assert not at_once(module) & (HEAVY - LATE.get(module, set()))
+    found = {module: at_once(module) & (HEAVY - LATE.get(module, set())) for module in MODULES}
+    assert {module: names for module, names in found.items() if names} == {}
 
 
 @pytest.mark.slow
