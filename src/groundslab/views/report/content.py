@@ -27,7 +27,7 @@ from groundslab.views.report.ground_models import build_chapter
 from groundslab.views.report.input_tables import input_tables
 from groundslab.views.report.table_layout import Cell, TableHeader, TableLayout, drop_empty_columns, headers
 from groundslab.views.summary import combinations, sections
-from groundslab.views.summary.discretization import coarse_words, provisional_words
+from groundslab.views.summary.discretization import coarse_words, is_unknown, provisional_words
 from groundslab.views.summary.rows import SummarySection
 from groundslab.views.summary.terminal import between_text, error_text, shown_row, step_texts
 from groundslab.views.translation import translator_of
@@ -181,6 +181,8 @@ def _verdict(combined: Results, entries: Sequence[Entry]) -> tuple[str, str]:
     if not combined.refused:
         certified = sections.certified_words(len(entries))
         coarse = coarse_words(combined)
+        if is_unknown(combined):
+            return "bad", coarse
         return ("doubtful", f"{certified} {coarse}") if coarse else ("good", certified)
     others = ["The results of the others are certified."] if combined.results else []
     words = [*combinations.refusal_sentences(combined), *others, provisional_words(combined)]

@@ -15,6 +15,9 @@ from groundslab.views.summary.rows import Row, SummarySection
 if TYPE_CHECKING:
     from groundslab.results.results import CombinationResult, Results
 
+#: Above this error, as a share of what governs, a certified result has no value that could be used.
+UNKNOWN = 0.5
+
 
 def with_error(row: Row, coarser: Row | None, results: CombinationResult) -> Row:
     """Return a figure with its discretization error, if the next coarser mesh has one to compare."""
@@ -127,6 +130,12 @@ def provisional_words(combined: Results) -> str:
     return f"Provisional: mesh {number} ({first.unknowns:,} unknowns) is still to be refined{error}."
 
 
+def is_unknown(combined: Results) -> bool:
+    """Return whether an error is so large that the values of a certified result are still not known."""
+    worst = _worst(combined)
+    return worst is not None and worst.share > UNKNOWN and not combined.provisional
+
+
 def coarse_words(combined: Results) -> str:
     """Return in words that the mesh is too coarse for the accuracy asked for or provisional, or its error not known.
 
@@ -141,6 +150,13 @@ def _coarse_words(combined: Results) -> str:
 
     if combined.provisional:
         return provisional_words(combined)
+    worst = _worst(combined)
+    if worst is not None and is_unknown(combined):
+        return (
+            "Do not use these results: they satisfy equilibrium and contact conditions on a mesh that is far too "
+            f"coarse to tell values. The largest discretization error is {100 * worst.share:.2g} % ({worst.label}). "
+            f"{_sentence(_remedy(next(iter(combined.values()))))}"
+        )
     for results in combined.values():
         small = find_unresolved(results)
         if small is not None:
@@ -149,7 +165,6 @@ def _coarse_words(combined: Results) -> str:
                 f"The mesh is too coarse for the footprint of {forces}: {small.footprint:.3g} m in elements of "
                 f"{small.element:.3g} m. Moments and shear forces there are too small. {_sentence(_remedy(results))}"
             )
-    worst = _worst(combined)
     if worst is None or worst.share <= combined.model.mesh.largest_error:
         return _hanging_words(combined) or next(filter(None, map(unknown_words, combined.values())), "")
     return (

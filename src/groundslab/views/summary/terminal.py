@@ -13,7 +13,7 @@ from groundslab.results.results import refusal_words
 from groundslab.unit_systems import in_system, unit_in
 from groundslab.units import UNITS, format_number
 from groundslab.views.summary import combinations
-from groundslab.views.summary.discretization import coarse_words
+from groundslab.views.summary.discretization import coarse_words, is_unknown
 from groundslab.views.summary.rows import SummarySection, translated
 from groundslab.views.summary.sections import certified_words, summary
 from groundslab.views.translation import translator_of
@@ -196,7 +196,8 @@ def _print_certified(combined: Results, design: Design, console: Console) -> Non
     """Print what the certificate of all results says, whether the mesh is fine enough, and what fails in the design."""
     coarse, translate = coarse_words(combined), translator_of(combined)
     style = "yellow" if coarse else "green"
-    _print_lines(textwrap.wrap(translate(certified_words(len(combined.combinations))), 78), style, console)
+    if not is_unknown(combined):
+        _print_lines(textwrap.wrap(translate(certified_words(len(combined.combinations))), 78), style, console)
     _print_lines(textwrap.wrap(translate(coarse), 78), "bold yellow", console)
     if design.open:
         again = f"{translate(design.headline)} {translate('See the first lines.')}"

@@ -9,7 +9,7 @@ from groundslab.results.results import refusal_words
 from groundslab.unit_systems import unit_in
 from groundslab.units import format_number
 from groundslab.views.summary import combinations, json_summary, sections
-from groundslab.views.summary.discretization import coarse_words
+from groundslab.views.summary.discretization import coarse_words, is_unknown
 from groundslab.views.summary.terminal import error_text, limit_text, place_text, shown_row, verdict_word
 
 if TYPE_CHECKING:
@@ -28,6 +28,7 @@ def build_summary(combined: Results, with_checks: bool = True) -> dict[str, Any]
     return {
         **({"design": json_summary.design(combined)} if with_checks else {}),
         "coarse": coarse_words(combined),
+        "unknown": is_unknown(combined),
         "combinations": [_combination_to_json(entry, combined.model.units) for entry in combinations.entries(combined)],
     }
 

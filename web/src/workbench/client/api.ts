@@ -179,6 +179,8 @@ export interface Summary {
   combinations: CombinationSummary[];
   /** That the mesh is too coarse, in words; empty where it is not. */
   coarse?: string;
+  /** Whether it is so coarse that this is the whole verdict. */
+  unknown?: boolean;
 }
 
 /** What stands above a column of a table, and the columns that say where its values are and of which combination. */

@@ -120,10 +120,11 @@ export function showCertificates(element: HTMLElement, summary: Summary | null, 
 }
 
 /** Make the verdict on all combinations together. */
-function makeVerdict({ combinations: all, coarse = "" }: Summary): HTMLElement {
+function makeVerdict({ combinations: all, coarse = "", unknown = false }: Summary): HTMLElement {
   const bad = all.filter((one) => verdictOf(one) !== "certified").length;
   const whose = all.length === 1 ? "The result is" : `The results of all ${all.length} combinations are`;
   const good = `${whose} certified: equilibrium and contact conditions are satisfied on this mesh. This is not a design approval.`;
+  if (bad === 0 && unknown) return h("p", { class: "verdict bad" }, coarse);
   if (bad === 0 && coarse) return h("p", { class: "verdict doubtful" }, `${good} ${coarse}`);
   if (bad === 0) return h("p", { class: "verdict good" }, good);
   const some = `${bad} of ${all.length} combinations have no usable result.`;
