@@ -393,26 +393,21 @@ def test_what_beams_carry_across_a_perimeter_does_not_punch() -> None:
 
 
 def test_a_beam_with_hinged_ends_is_simply_supported() -> None:
-    """On a plate that is rigid beside it, a hinged beam takes no moment at its ends and q L^2 / 8 in its middle.
+    """From edge to edge of a plate as soft as nothing, a hinged beam takes no moment at its ends, q L^2 / 8 between.
 
-    Two rigid slabs, soft between them, stand far apart; the beam reaches from one to the other. Clamped it has
-    -q L^2 / 12 and q L^2 / 24; with one hinge -q L^2 / 8 at the other end.
+    Both edges are held against turning. Clamped there it has -q L^2 / 12 and q L^2 / 24; with one hinge -q L^2 / 8 at
+    the other end.
     """
-    q, span, height = 10e3, 6.0, 3.0
-    stiff = {"thickness": height, "E": 3e13}
-    zones = [
-        {"shape": {"kind": "rectangle", "x": (x, x + 2.0), "y": (-1.0, 1.0)}, **stiff}
-        for x in (-span / 2 - 2, span / 2)
-    ]
+    q, span = 10e3, 6.0
 
     def moments(joined: tuple[str, str]) -> BeamResult:
         model = gs.Model(
-            plate={"length_x": span + 4, "length_y": 2.0, "thickness": 0.05, "E": 1e3, "nu": 0.0, "zones": zones},
+            plate={"length_x": span, "length_y": 2.0, "thickness": 0.05, "E": 1e3, "nu": 0.0},
             ground={"kind": "winkler", "k": 1e-3},
             contact={"tensionless": False},
             supports=[
                 {"kind": "line", "points": [(x, -1.0), (x, 1.0)], "rotation": "fixed", "acts": "both ways"}
-                for x in (-span / 2 - 1, span / 2 + 1)
+                for x in (-span / 2, span / 2)
             ],
             beams=[
                 {

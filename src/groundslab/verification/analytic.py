@@ -9,6 +9,7 @@ import numpy as np
 
 from groundslab.verification.analytic_beams import (
     beam_on_springs,
+    beam_on_two_supports,
     disk_on_infinite_plate,
     joined_beams,
     lifting_strip_on_pasternak,
@@ -227,6 +228,7 @@ _QUANTITIES: dict[Callable[..., dict[str, float]], tuple[str, ...]] = {
     plate_on_a_column: ("settlement", "force"),
     curling_strip: ("settlement", "moment across", "moment along"),
     strip_on_two_springs: ("settlement", "moment"),
+    beam_on_two_supports: ("moment", "shear"),
     beam_on_springs: ("settlement", "moment"),
     joined_beams: ("settlement", "moment", "force"),
     clamped_plate: ("settlement", "moment"),

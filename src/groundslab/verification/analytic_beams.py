@@ -18,6 +18,11 @@ import numpy as np
 from groundslab.arrays import Array
 
 
+def beam_on_two_supports(x: float, length: float, q: float) -> dict[str, float]:
+    """Return moment [N m] and shear force [N] at x [m] of a beam on a support at either end under a load q [N/m]."""
+    return {"moment": q * x * (length - x) / 2, "shear": q * (length / 2 - x)}
+
+
 def beam_on_springs(x: float, length: float, P: float, at: float, EI: float, k: float) -> dict[str, float]:
     """Return settlement [m] and moment [N m] at x of a free beam on springs k [N/m2] under a force P [N].
 

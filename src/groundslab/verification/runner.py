@@ -18,11 +18,14 @@ from importlib.resources import files
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from groundslab import units
 from groundslab.accuracy.judgment import SIZES, JudgedValue, judged_values
 from groundslab.accuracy.values import estimate_error, estimate_errors
 from groundslab.analysis import driver
 from groundslab.case import casefile
+from groundslab.design.beam_bars import section_forces
 from groundslab.discretize.ground import ground_of, varies
 from groundslab.fem.vlasov import Soil
 from groundslab.model.ground import SoilLayer
@@ -201,6 +204,14 @@ def _principal(results: CombinationResult, row: Mapping[str, Any], sign: float) 
     return float((x + y) / 2 + sign * math.hypot((x - y) / 2, xy))
 
 
+def _of_beam(results: CombinationResult, row: Mapping[str, Any], name: str) -> float:
+    """Return a section force of a row's beam at its way, of a rib that of the T [N m or N]."""
+    members, beams = results.model.members, results.beams
+    number = next(number for number, beam in enumerate(beams) if beam.name == row["beam"])
+    own = section_forces(results, members[number], beams[number])
+    return float(np.interp(row["way"], own.way, getattr(own, name)))
+
+
 #: What a row may ask for: the dimension of its unit, and how to take it from the results.
 QUANTITIES: dict[str, tuple[str | None, Quantity]] = {
     "settlement": ("length", lambda r, row: r.plate.value_at("settlement", *row["at"])),
@@ -212,6 +223,8 @@ QUANTITIES: dict[str, tuple[str | None, Quantity]] = {
     "moment_y": ("force", lambda r, row: r.plate.value_at("moment_y", *row["at"])),
     "moment_1": ("force", lambda r, row: _principal(r, row, 1.0)),
     "moment_2": ("force", lambda r, row: _principal(r, row, -1.0)),
+    "moment of a beam": ("moment", lambda r, row: _of_beam(r, row, "moment")),
+    "shear force of a beam": ("force", lambda r, row: _of_beam(r, row, "shear")),
     "force of a support": ("force", lambda r, row: next(s.total for s in r.supports if s.name == row["support"])),
     "contact share": ("share", lambda r, _: r.plate.contact_share),
     "k0": ("pressure per length", lambda r, row: r.constants.k0[row.get("layer", 1) - 1]),

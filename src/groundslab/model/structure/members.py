@@ -117,7 +117,7 @@ def check_members(
         return
     region = get_plate_region(plate, plates)
     off = [*_check_on_plates(region, beams), *_check_joints(every, joints, beams)]
-    off += [] if off else check_spans(region, beams)
+    off += [] if off else [*check_spans(region, beams), *_check_hinges(region, beams)]
     yield from (_at_place(issue, where) for issue in off)
     if off:
         return
@@ -220,6 +220,22 @@ def _check_on_plates(region: PlateRegion, beams: tuple[Beam, ...]) -> Iterator[R
         found = f"{over:.3g} m of {axis.length:.3g} m that do not lie on the plate"
         hint = "over an opening it is straight from edge to edge, and in one part" if spans else "shorten or divide it"
         yield RelativeIssue(place, found, "a beam that begins and ends on the plate", hint)
+
+
+def _check_hinges(region: PlateRegion, beams: tuple[Beam, ...]) -> Iterator[RelativeIssue]:
+    """Find hinged ends inside a plate, which goes on there beside the beam and takes its moment.
+
+    How much of it would depend on the size of the elements, over one of which the beam were released.
+    """
+    from shapely import Point, unary_union
+
+    edge = unary_union([area.boundary for area in region.areas])
+    for number, beam in enumerate(beams):
+        for end, joined in zip(beam.ends, beam.joined, strict=False):
+            if joined == "hinged" and edge.distance(Point(end)) > max(region.near, region.rounding):
+                found = "a hinged end inside the plate, which goes on beside the beam and takes its moment"
+                hint = "end the beam at an edge, or leave joined out"
+                yield RelativeIssue(("beams", number, "joined"), found, "hinged ends on edges of the plate alone", hint)
 
 
 def _check_joints(

@@ -91,6 +91,8 @@ def test_an_eccentric_rib_has_its_own_section_off_the_middle_plane() -> None:
         ([ACROSS | {"section": GIVEN | {"eccentricity": 0.1}}], "beams[1].section.area: nothing, with an eccentricity"),
         ([{"name": "A", "section": SECTION, "shape": CIRCLE, "joined": ["hinged", "fixed"]}],
          "beams[1].joined: hinged ends of a closed beam"),
+        ([ACROSS | {"points": [(-3.0, 0.0), (1.0, 0.0)], "joined": ["hinged", "hinged"]}],
+         "beams[1].joined: a hinged end inside the plate"),
         ([ACROSS | {"points": [(-3.0, 0.0), (1.0, 0.0), (-1.0, 0.0)]}], "beams[1]: a beam that runs back along 2 m"),
         ([{"name": "A", "section": SECTION, "shape": CIRCLE | {"centre": (2.0, 0.0)}}],
          "beams[1].shape: a curve with arcs that touches an edge of the plate"),
