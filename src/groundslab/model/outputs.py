@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Annotated, ClassVar, Literal, get_args
 
 from groundslab.languages import Language
-from groundslab.model.ground import POSITIVE
+from groundslab.model.ground import POSITIVE, AnyGround, ContinuousGround
 from groundslab.model.loads.placement import on_plate
 from groundslab.model.plate import Plate
 from groundslab.model.plates.further import FurtherPlate, list_plates
@@ -160,12 +160,17 @@ def check_wall_limits(output: Output, walls: tuple[Wall, ...]) -> Iterator[Relat
         yield RelativeIssue(("output", "wall_limits"), "true, without such a wall", "a wall with a height, or false")
 
 
-def check_output(plate: Plate, plates: tuple[FurtherPlate, ...], output: Output) -> Iterator[RelativeIssue]:
-    """Find points that do not lie on the plate, and lines and strips that miss it."""
+def check_output(
+    plate: Plate, plates: tuple[FurtherPlate, ...], ground: AnyGround, output: Output
+) -> Iterator[RelativeIssue]:
+    """Find points that do not lie on the plate, and lines and strips that miss it.
+
+    In the depth of a continuum there are values below openings and beside the plate as well.
+    """
     from shapely import LineString, union_all
 
     covered = PlateRegion(plate, plates)
-    for position, point in enumerate(output.points):
+    for position, point in enumerate(() if isinstance(ground, ContinuousGround) else output.points):
         yield from on_plate(covered, point, ("output", "points", position))
     if not (output.lines or output.strips):
         return

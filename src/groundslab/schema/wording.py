@@ -41,9 +41,9 @@ def with_article(noun: str) -> str:
     return f"{'an' if noun[:1].lower() in 'aeiou' else 'a'} {noun}"
 
 
-def quote(text: str) -> str:
-    """Return a text in double quotes, escaped as in TOML, which also makes it safe for a terminal."""
-    return f'"{escape(text)}"'
+def quote(text: object) -> str:
+    """Return a text in double quotes, escaped as in TOML, which also makes it safe for a terminal; what is none too."""
+    return f'"{escape(str(text))}"'
 
 
 def escape(text: str) -> str:

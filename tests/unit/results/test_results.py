@@ -7,6 +7,7 @@ import sys
 import time
 from dataclasses import replace
 from functools import cache
+from typing import Any
 from xml.etree import ElementTree
 
 import numpy as np
@@ -189,6 +190,13 @@ def test_an_only_combination_that_is_not_certified_raises_that() -> None:
     bad = replace(synthetic.CERTIFICATE, residual=1.0)
     with pytest.raises(NotCertified):
         results_of(synthetic.results(certificate=bad)).plate  # noqa: B018
+
+
+@pytest.mark.parametrize("name", [0, 1.5, None, "ULS 7", ("a", "b")])
+def test_an_unknown_name_is_said(name: Any) -> None:
+    """Whatever it is: the message says which combinations there are."""
+    with pytest.raises(KeyError, match=r"no combination .*; there is"):
+        synthetic.combined()[name]
 
 
 def test_short_text() -> None:

@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 
 import groundslab
+from groundslab.case import casefile
 from groundslab.errors import InputError
 from groundslab.model.model import Model
 from groundslab.model.supports import Pile
@@ -45,6 +46,38 @@ def solve(ground: Any, **parts: Any) -> Results:
         "output": groundslab.Output(points=[groundslab.OutputPoint(name="A", x=1.1, y=0.6)]),
     }
     return groundslab.solve(Model(ground=ground, **common | parts))
+
+
+def test_stresses_below_an_opening_and_beside_the_plate() -> None:
+    """Points of a case file there: by Boussinesq, sigma_z = 3 F z^3 / (2 pi R^5) of the force F of each cell.
+
+    On 20 m2 of 6 m x 4 m with an opening of 2 m x 2 m act 50 kPa, 1000 kN; on other ground such points are refused.
+    """
+    text = """
+plate = { length_x = "6 m", length_y = "4 m", thickness = "0.4 m", E = "30 GPa", nu = 0.2, openings = [
+  { kind = "rectangle", x = ["-1 m", "1 m"], y = ["-1 m", "1 m"] } ] }
+ground = { kind = "continuum", layers = [], half_space = { E = "60 MPa", nu = 0.3 } }
+loads = [{ kind = "uniform", q = "50 kPa" }]
+mesh = { size = "0.5 m" }
+output = { points = [{ name = "hole", x = "0 m", y = "0 m" }, { name = "beside", x = "8 m", y = "0 m" }] }
+"""
+    results = groundslab.solve(casefile.loads(text))
+    tables = {table.name: table for table in groundslab.tables_of(results)}
+    soil, points = tables["soil"], tables["points"]
+    cells = results.ground.cells
+    assert cells is not None
+    assert cells.force.sum() == pytest.approx(1000e3, rel=1e-6)
+    deep = [row for row in zip(soil["point"], soil["depth z"], soil["vertical stress sigma_z"], strict=True)
+            if isinstance(row[1], float) and row[1] >= 2]  # fmt: skip
+    assert {name for name, *_ in deep} == {"hole", "beside"}
+    for name, z, stress in deep:
+        R = np.hypot(np.hypot(cells.center[:, 0] - (8 if name == "beside" else 0), cells.center[:, 1]), z)
+        assert stress == pytest.approx((3 * cells.force * z**3 / (2 * np.pi * R**5)).sum() / 1e3, rel=0.01)
+    assert set(points["settlement w"]) == {None}
+    springs = text.replace("continuum", "winkler")
+    springs = springs.replace('layers = [], half_space = { E = "60 MPa", nu = 0.3 }', 'k = "9 MPa/m"')
+    with pytest.raises(InputError, match="not in an opening"):
+        casefile.loads(springs)
 
 
 @pytest.fixture(scope="module")

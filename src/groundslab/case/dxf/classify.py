@@ -59,7 +59,7 @@ def find_outline(
         meeting = find_meeting(outline.region, closed.curve.segments(), tolerance, context.count_pairs)
         if meeting is not None:
             found = "a second curve that crosses or touches the outline"
-            hint = "let outlines that adjoin each other be joined (--union), or draw what is around them"
+            hint = "let outlines side by side be joined (--union), or draw what is around them"
             context.issue(closed.sources, meeting, found, "one outline", hint)
         elif not outline.region.holds(start, context.count_edges):
             found, hint = "a second curve next to the outline", "a file describes one plate: move the others elsewhere"

@@ -21,7 +21,7 @@ _SUMS = re.compile(r"\s*(?:sum|total|check|precision|minimum|maximum|max|min|sum
 #: Kinds of cases that are combinations or envelopes of others, by the column that says so or by their usual names.
 _COMBINED = re.compile(r".*comb|.*envelope|.*spec(?:trum)?\b", re.IGNORECASE)
 #: Of these kinds of cases each value is the largest of its own: it has no sign, and no others that act with it.
-_UNSIGNED = re.compile(r".*(?:envelope|spec(?:trum|tra)?\b|mod(?:al)?hist|time ?hist)", re.IGNORECASE)
+_UNSIGNED = re.compile(r".*(?:envelope|spec(?:trum|tra)?\b|mod(?:al)?hist|time ?hist|moving)", re.IGNORECASE)
 _COMBINED_NAME = re.compile(
     r"(?:comb\w*|envelope|env|uls|sls|gzt|gzg|co|rc|lk|ek)[\s_:.-]*[0-9]*(?:[\s_:.-].*)?", re.IGNORECASE
 )
@@ -283,7 +283,7 @@ class _RowReader:
         self.types.setdefault(case, kind)
         # envelopes have a step, the largest or the smallest value, of each of which the others are unknown
         stepped = step.lower() in ("max", "min")
-        if stepped or _COMBINED.match(kind) or (not kind and _COMBINED_NAME.fullmatch(case)):
+        if stepped or _COMBINED.match(kind) or _UNSIGNED.match(kind) or (not kind and _COMBINED_NAME.fullmatch(case)):
             self.combined.add(case)
         if stepped or _UNSIGNED.match(kind):
             said = " ".join(describe(each) for each in (kind, step) if each)

@@ -35,10 +35,10 @@ class DrawingReader(FileReader):
         return layers
 
     def convert(
-        self, path: Path, layers: Mapping[str, str], unit: str | None, centered: bool, gap: str
+        self, path: Path, layers: Mapping[str, str], unit: str | None, centered: bool, gap: str, union: bool
     ) -> ConvertedDrawing:
-        """Return the case that a drawing's layers describe, gaps up to a length closed; raises InputError."""
-        made: ConvertedDrawing = self._call(convert_drawing, path, dict(layers), unit, centered, gap)
+        """Return the case of a drawing's layers, gaps up to a length closed, outlines joined; raises InputError."""
+        made: ConvertedDrawing = self._call(convert_drawing, path, dict(layers), unit, centered, gap, union)
         return made
 
     def _call(self, function: Callable[..., Any], path: Path, *arguments: Any) -> Any:
@@ -72,12 +72,12 @@ def _flatten(points: Sequence[Place]) -> list[float]:
 
 
 def convert_drawing(
-    path: str, layers: Mapping[str, str], unit: str | None, centered: bool, gap: str
+    path: str, layers: Mapping[str, str], unit: str | None, centered: bool, gap: str, union: bool = False
 ) -> ConvertedDrawing:
     """Return the case that a drawing's layers describe."""
     from groundslab.case import dxf
 
-    drawing = dxf.read(path, layers, unit, dxf.parse_gap(gap))
+    drawing = dxf.read(path, layers, unit, dxf.parse_gap(gap), union)
     if centered:
         drawing = dxf.center(drawing)
     return ConvertedDrawing(dxf.to_case(drawing, Path(path).stem), dxf.report_text(drawing), drawing.origin)

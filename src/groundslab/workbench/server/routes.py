@@ -64,13 +64,14 @@ class Open(_Body):
 
 
 class OpenDrawing(_Body):
-    """A drawing: what its layers hold, its unit, whether the slab's middle is the origin, gaps that are closed."""
+    """A drawing: what its layers hold, its unit, whether its middle is the origin, gaps closed, outlines joined."""
 
     file: Annotated[str, Field(min_length=1)]
     layers: Annotated[dict[str, str], Field(max_length=1000)]
     unit: Annotated[str, Field(max_length=100)] | None = None
     centered: bool = False
     gap: Annotated[str, Field(max_length=100)] = "1 mm"
+    union: bool = False
 
 
 class OpenSlab(_Body):
@@ -240,7 +241,7 @@ def _add_import_routes(app: FastAPI, session: Session) -> None:
 
     @app.post("/api/drawing")
     def open_drawing(body: OpenDrawing) -> dict[str, Any]:
-        made = session.open_drawing(body.file, body.layers, body.unit, body.centered, body.gap)
+        made = session.open_drawing(body.file, body.layers, body.unit, body.centered, body.gap, body.union)
         return {"state": session.get_state(), "report": made.report, "origin": made.origin}
 
     @app.get("/api/slabs")

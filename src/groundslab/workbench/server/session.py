@@ -153,11 +153,11 @@ class Session:
         return self._drawings.survey(case_file.resolve_path(name, self.file.folder))
 
     def open_drawing(
-        self, name: str, layers: Mapping[str, str], unit: str | None, centered: bool, gap: str
+        self, name: str, layers: Mapping[str, str], unit: str | None, centered: bool, gap: str, union: bool
     ) -> ConvertedDrawing:
         """Begin a new document made from a drawing, and return that; raises InputError."""
         path = case_file.resolve_path(name, self.file.folder)
-        made = self._drawings.convert(path, layers, unit, centered, gap)
+        made = self._drawings.convert(path, layers, unit, centered, gap, union)
         self._begin(Document(made.text), CaseFile(None, None))
         return made
 

@@ -182,6 +182,14 @@ def test_values_without_signs_are_no_load(given: dict[str, Any], tmp_path: Path)
     assert "combinations are left out, as only load cases are loads: COMB1" in said
 
 
+@pytest.mark.parametrize("kind", ["LinMoving", "Moving Load", "Response Spectrum", "LinModHist", "Time History"])
+def test_other_cases_of_largest_values_are_no_combinations(kind: str, tmp_path: Path) -> None:
+    """Moving loads, spectra and histories are left out under their own name."""
+    said = "\n".join(imported(tmp_path, f"Node,Case,Case Type,Fz [kN]\nA,G,LinStatic,1\nA,MOV,{kind},5\n").remarks)
+    assert f'cases of largest values without signs are left out: MOV (row 3, "{kind}")' in said
+    assert "combinations" not in said
+
+
 def test_an_envelope_is_no_load_either(tmp_path: Path) -> None:
     """Also if it has the name of a load case, or its largest values alone are in the table."""
     with pytest.raises(InputError, match=r'"ENVOL".*"Max"'):

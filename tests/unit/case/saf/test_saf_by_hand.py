@@ -560,6 +560,16 @@ def test_moments_at_the_foot_of_a_column(
     assert (case_of(case.model).H_x, case_of(case.model).H_y) == pytest.approx(tuple(1e3 * each for each in horizontal))
 
 
+@pytest.mark.parametrize(
+    ("N", "group", "told"), [(100, "Seismic", True), (-100, "Seismic", False), (100, "Variable", False)]
+)
+def test_forces_of_response_spectra_have_no_signs(N: float, group: str, told: bool, tmp_path: Path) -> None:
+    """A seismic case that pulls all columns, as unsigned values do, is noted; one that presses them is not."""
+    sheets = column(True, 0, N, 0, 0, 0, 0, 0)
+    sheets["StructuralLoadGroup"][1][1] = group
+    assert ("Q is seismic and presses no column" in notes(read(tmp_path, sheets))) == told
+
+
 def test_a_column_that_is_pushed_at_its_top(tmp_path: Path) -> None:
     """A column that is pushed along x at its top presses the side of larger x down, and pushes the slab along x.
 

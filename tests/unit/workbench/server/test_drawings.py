@@ -137,7 +137,20 @@ def test_the_gaps_that_are_closed(bench: Bench, tmp_path: Path) -> None:
     document.saveas(path)
     assert "a gap of 0.003 m" in str(bench.convert(path, {"SLAB": "outline"}, status=422))
     report = bench.convert(path, {"SLAB": "outline"}, gap="5 mm")["report"]
-    assert "a gap of 0.003 m was closed at (4, 0.0015) m" in report
+    assert "a gap of 0.003 m was closed at (4, 0.003) m" in report
+
+
+def test_outlines_side_by_side(bench: Bench, tmp_path: Path) -> None:
+    """A house and its garage are refused, unless they are to be one."""
+    document = ezdxf.new(units=6)
+    for x0, x1 in ((0, 10), (10, 14)):
+        corners = [(x0, 0), (x1, 0), (x1, 6), (x0, 6)]
+        document.modelspace().add_lwpolyline(corners, close=True, dxfattribs={"layer": "SLAB"})
+    path = tmp_path / "house.dxf"
+    document.saveas(path)
+    assert "touches the outline" in str(bench.convert(path, {"SLAB": "outline"}, status=422))
+    report = bench.convert(path, {"SLAB": "outline"}, union=True)["report"]
+    assert "outline: 14 m x 6 m, 84 m^2" in report
 
 
 def test_the_origin_and_the_unit_that_are_chosen(bench: Bench, drawing: Path) -> None:

@@ -41,6 +41,7 @@ class DrawingDialog {
     ...ORIGINS.map(([value, text]) => h("option", { value }, text)),
   );
   private readonly gap = h("input", { id: newId("gap"), value: "1 mm", size: 7, maxlength: 20 });
+  private readonly union = h("input", { type: "checkbox" });
   private readonly shown = h("input", { type: "checkbox", checked: true });
   private readonly asNew = h("input", { type: "checkbox", checked: true });
   private readonly message = h("p", { class: "messages", role: "alert" });
@@ -126,6 +127,7 @@ class DrawingDialog {
       h("label", { for: this.unit.id }, "drawing unit", this.unit),
       h("label", { for: this.origin.id }, "origin", this.origin),
       h("label", { for: this.gap.id }, "close gaps up to", this.gap),
+      h("label", {}, this.union, "join outlines side by side"),
       h("label", {}, this.shown, "show the drawing under the plan"),
       h("label", {}, this.asNew, "concrete, ground and self-weight as in a new case"),
     );
@@ -153,6 +155,7 @@ class DrawingDialog {
       unit: this.unit.value,
       centered: this.origin.value === "centered",
       gap: this.gap.value.trim() || "0 mm",
+      union: this.union.checked,
     };
   }
 

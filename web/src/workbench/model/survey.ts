@@ -33,6 +33,8 @@ export interface DrawingChoice {
   centered: boolean;
   /** The widest gap between ends of lines that is closed, such as `1 mm`. */
   gap: string;
+  /** Whether outlines that adjoin each other become one. */
+  union: boolean;
 }
 
 /** What a layer can hold, as the command line calls it, and as people do. */

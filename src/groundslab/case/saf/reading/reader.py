@@ -197,7 +197,7 @@ def _read_parts(context: ReadContext, slab: Slab) -> dict[str, Any]:
     supports, cases = read_supports(context, slab), read_cases(context)
     combinations, combine = read_combinations(context, cases)
     found = read_loads(context, slab, cases, bool(beams)) if cases else Loads()
-    read_forces(context, slab, {case.name for case in cases}, found)
+    read_forces(context, slab, {case.name: case.action for case in cases}, found)
     loads = [*found.finish(columns), *read_settlements(context, supports, cases)]
     cases = [
         case.model_copy(update={"H_x": H[0], "H_y": H[1]})

@@ -16,6 +16,7 @@ from groundslab.case.saf.reading.workbook import Row, difference
 from groundslab.errors import Issue
 from groundslab.geometry.plan import make_segments
 from groundslab.model.loads.lines import LineLoad
+from groundslab.model.loads.load_cases import Kind
 from groundslab.model.structure.lines import part_of_line
 
 #: An axis within this of a direction is along it.
@@ -24,8 +25,11 @@ ALONG = 1e-6
 COLUMNS, WALLS = "ResultInternalForce1D", "ResultInternalForce2DEdge"
 
 
-def read_forces(context: ReadContext, slab: Slab, cases: set[str], found: Loads) -> None:
-    """Add the forces at the feet of columns, and normal forces at those of walls, as loads of their cases."""
+def read_forces(context: ReadContext, slab: Slab, cases: Mapping[str, Kind], found: Loads) -> None:
+    """Add the forces at the feet of columns, and normal forces at those of walls, as loads of their cases.
+
+    ``cases`` are the kinds of load cases by their names.
+    """
     _read_columns(context, slab, cases, found)
     _read_walls(context, slab, cases, found)
     standing = len(slab.columns) + len(slab.walls)
@@ -35,7 +39,7 @@ def read_forces(context: ReadContext, slab: Slab, cases: set[str], found: Loads)
 
 
 def _of_cases(
-    context: ReadContext, sheet: str, key: str, names: Mapping[str, object], cases: set[str]
+    context: ReadContext, sheet: str, key: str, names: Mapping[str, object], cases: Mapping[str, Kind]
 ) -> dict[tuple[str, str], list[Row]]:
     """Return the rows of results of load cases by member and case; those of others are counted."""
     rows: dict[tuple[str, str], list[Row]] = defaultdict(list)
@@ -60,9 +64,10 @@ def _of_cases(
     return rows
 
 
-def _read_columns(context: ReadContext, slab: Slab, cases: set[str], found: Loads) -> None:
+def _read_columns(context: ReadContext, slab: Slab, cases: Mapping[str, Kind], found: Loads) -> None:
     """Add forces and moments at the foot of each column, compression negative in the file."""
     members = {row.name: row for row in context.rows("StructuralCurveMember") if row.name in slab.columns}
+    values: dict[str, list[float]] = {}
     for (member, case), rows in _of_cases(context, COLUMNS, "member", members, cases).items():
         with context.reading(rows[0]):
             nodes = [context.node(name) for name in texts(members[member], "nodes")]
@@ -77,6 +82,7 @@ def _read_columns(context: ReadContext, slab: Slab, cases: set[str], found: Load
                 context.note(None, f"{member} in {case}: no section at its foot, not read", COLUMNS)
                 continue
             N = context.number(foot, "n", "force")
+            values.setdefault(case, []).append(N)
             axes = member_axes(context, members[member], (nodes[0], nodes[1]))
             moments, shear, left = _bent(context, foot, axes, upwards)
             add_at_point(found, case, slab.columns[member], f"{member}, N", [member], P=-N + 0.0, **moments)
@@ -84,6 +90,10 @@ def _read_columns(context: ReadContext, slab: Slab, cases: set[str], found: Load
             taken = " with its moments and shear forces" if any(moments.values()) or any(shear) else ""
             why = f"{member} in {case}: N = {N / 1e3:.6g} kN as a load{taken}{left}"
             context.note(None, why, COLUMNS)
+    for case, forces in values.items():
+        if cases[case] == "seismic" and min(forces) >= 0 < max(forces):
+            why = "presses no column: forces of a response spectrum have no signs and are no load"
+            context.note(None, f"{case} is seismic and {why}", COLUMNS)
 
 
 def _bent(
@@ -104,7 +114,7 @@ def _bent(
     return moments, (on * (V_y * y[0] + V_z * z[0]), on * (V_y * y[1] + V_z * z[1])), left
 
 
-def _read_walls(context: ReadContext, slab: Slab, cases: set[str], found: Loads) -> None:
+def _read_walls(context: ReadContext, slab: Slab, cases: Mapping[str, Kind], found: Loads) -> None:
     """Add the normal force per length across the lower edge of each wall, compression negative in the file."""
     members = {row.name: row for row in context.rows("StructuralSurfaceMember") if row.name in slab.walls}
     for (member, case), rows in _of_cases(context, WALLS, "2dmember", members, cases).items():
