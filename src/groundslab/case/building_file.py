@@ -3,20 +3,19 @@
 from __future__ import annotations
 
 import csv
-import re
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
+from groundslab.case.numbers import find_decimals, parse_number
 from groundslab.errors import InputError, Issue
 from groundslab.model.structure.building import MOST_BASES
 from groundslab.schema.fields import MOST_ISSUES
 from groundslab.schema.wording import describe
-from groundslab.units import NUMBER
 
 #: Bytes of a file, at most: rows of so many numbers of 32 letters.
 LARGEST = (3 * MOST_BASES) ** 2 * 32
-#: Between cells, the first one that the first row of numbers has; after a semicolon commas are decimal.
+#: Between cells, the first one that the first row of numbers has; after a semicolon commas are rather decimal.
 BETWEEN = ("\t", ";", ",")
 
 
@@ -59,15 +58,20 @@ def _read(folder: Path, name: str) -> dict[str, Any]:
         raise InputError([Issue(where, f"{len(lines)} lines", expected)])
     between = next((letter for letter in BETWEEN if letter in lines[1][1]), ",")
     names, *rows = (_cells(line, between) for _, line in lines)
-    matrix, issues = [], list[Issue]()
+    decimals = find_decimals((cell.strip() for row in rows for cell in row), commas=between != ";")
+    if decimals is None:
+        raise InputError([Issue(where, "numbers whose commas or points may group digits", "one way to read them")])
+    matrix, issues = list[list[float]](), list[Issue]()
     for (number, _), row in zip(lines[1:], rows, strict=True):
-        cells = [(cell.replace(",", ".") if between == ";" else cell).strip() for cell in row]
+        found = [parse_number(cell.strip(), decimals) for cell in row]
         issues += [
-            Issue(f"{where}, line {number}, value {position}", describe(cell) if cell else "nothing", "a number")
-            for position, cell in enumerate(cells, start=1)
-            if not re.fullmatch(NUMBER, cell)
+            Issue(
+                f"{where}, line {number}, value {position}", describe(cell) if cell.strip() else "nothing", "a number"
+            )
+            for position, (cell, value) in enumerate(zip(row, found, strict=True), start=1)
+            if value is None
         ]
-        matrix.append(cells)
+        matrix.append([float(value) for value in found if value is not None])
     if issues:
         raise InputError(issues[:MOST_ISSUES])
-    return {"nodes": [name.strip() for name in names], "matrix": [[float(cell) for cell in row] for row in matrix]}
+    return {"nodes": [name.strip() for name in names], "matrix": matrix}

@@ -10,9 +10,9 @@ from typing import get_args
 
 from groundslab.model.reactions import Decimals
 
-_SIGN, _POWER = r"[+-]?", r"(?:[eE][+-]?[0-9]{1,2})?"
+_SIGN, _POWER = r"[+-]?", r"(?:[eE][+-]?[0-9]{1,3})?"
 Cell = str | float
-_PLAIN = re.compile(rf"{_SIGN}(?:[0-9]{{1,20}}(?:\.[0-9]{{0,20}})?|\.[0-9]{{1,20}}){_POWER}")
+_PLAIN = re.compile(rf"{_SIGN}(?:[0-9]{{1,40}}(?:\.[0-9]{{0,40}})?|\.[0-9]{{1,40}}){_POWER}")
 _GROUPED = re.compile(rf"{_SIGN}[1-9][0-9]{{0,2}}(?:[ '][0-9]{{3}})+(?:\.[0-9]{{0,20}})?{_POWER}")
 _LIKE = re.compile(rf"{_SIGN}[0-9.,' ]*[0-9][0-9.,' ]*{_POWER}")
 _MARKS = str.maketrans({"−": "-", "–": "-", "\u00a0": " ", "\u202f": " ", "’": "'"})

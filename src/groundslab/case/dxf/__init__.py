@@ -6,9 +6,8 @@ from groundslab.case.dxf.document import Layers
 from groundslab.case.dxf.drawing import Drawing, LineMark, center
 from groundslab.case.dxf.reader import parse_gap, read
 from groundslab.case.dxf.report import report_text
-from groundslab.case.dxf.size import remark_on_size
 
 __all__ = [
-    "Drawing", "Layers", "LineMark", "align", "center", "parse_gap", "read", "remark_on_column", "remark_on_size",
+    "Drawing", "Layers", "LineMark", "align", "center", "parse_gap", "read", "remark_on_column",
     "report_text", "strip_of", "to_case",
 ]  # fmt: skip

@@ -14,7 +14,7 @@ from groundslab import units
 from groundslab.case import blanks
 from groundslab.case.dxf.classify import SAME, Footprint, circle_of, footprint_of
 from groundslab.case.dxf.drawing import AreaMark, Drawing, LineMark, PointMark
-from groundslab.case.dxf.size import remark_on_size
+from groundslab.case.numbers import why_unclear
 from groundslab.geometry.plan import Place, Ring
 from groundslab.geometry.regions import Region
 from groundslab.schema.wording import printable, quote, with_article
@@ -49,7 +49,7 @@ def to_case(drawing: Drawing, title: str = "", source: str = "drawing", notes: S
     if drawing.thickness is not None:
         thickness = f"thickness = {_length_text(drawing.thickness)}"
     made_from = with_article(source)
-    size = remark_on_size(drawing)
+    size = drawing.remark_on_size
     notes = [*notes, *([f"Check the unit: {size}."] if size else [])]
     text = [
         f"# Input file of groundslab, made from {made_from}. What it does not contain is commented out with #.",
@@ -140,6 +140,8 @@ def _beam_lines(beam: LineMark, number: int) -> list[str]:
     """Return the lines of a beam; one without a section is there to be filled in."""
     said = [f"# {beam.text}"] if beam.text else []
     section = _SECTION.search(beam.text)
+    if section is not None and any(map(why_unclear, section.groups()[:2])):
+        section = None  # 1,200 mm are 1.2 mm or 1200 mm
     sizes = ("400", "800", "mm") if section is None else section.groups()
     width, height, unit = (size.replace(",", ".") for size in sizes)
     fill = "  # fill in" if section is None else ""

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from typing import TYPE_CHECKING, NoReturn
 
+from groundslab.case.size import remark_on_size
 from groundslab.errors import InputError, Issue
 from groundslab.geometry.plan import Place, Ring, Segment, make_segments
 from groundslab.schema.wording import describe
@@ -99,6 +100,12 @@ class Drawing:
     thickness: float | None = None  # of the slab [m]
     column_names: tuple[str, ...] = ()  # C1, C2 and so on if there are none
     wall_names: tuple[str, ...] = ()
+
+    @property
+    def remark_on_size(self) -> str:
+        """Return what of its size contradicts its unit, nothing if nothing does."""
+        widths = [max(column.sides) for column in self.columns if isinstance(column, Ring)]
+        return remark_on_size(self.outline.sides, widths, self.unit, self.scale)
 
 
 def center(drawing: Drawing) -> Drawing:

@@ -38,7 +38,6 @@ from groundslab.case.dxf.entities import BlockCounts, iterate_entities
 from groundslab.case.dxf.loads.distributed_loads import read_area_loads, read_lines_with_values
 from groundslab.case.dxf.loads.labelling import DIMENSION, Label, read_label
 from groundslab.case.dxf.loads.point_loads import read_point_loads
-from groundslab.case.dxf.size import remark_on_size
 from groundslab.errors import InputError, Issue
 from groundslab.geometry.intersections import find_self_meeting
 from groundslab.geometry.plan import Place
@@ -123,7 +122,7 @@ def read(
         unit=context.unit,
         scale=float(context.scale),
     )
-    if size := remark_on_size(drawing):
+    if size := drawing.remark_on_size:
         drawing = replace(drawing, report=(*drawing.report, ReportLine("", "HEADER", "", False, size)))
     return drawing
 

@@ -129,7 +129,7 @@ def read_ifc(
     if align:
         drawing = dxf.align(drawing)
     _remark_on_columns(drawing, report)
-    if size := dxf.remark_on_size(drawing):
+    if size := drawing.remark_on_size:
         report.append(ReportLine("IfcProject", "", None, size))
     place = f"unit: {file.unit} ({file.scale:.6g} m); {storey_of(file, element)}; top of the slab at {chosen.top:.6g} m"
     on_map = map_note(file)

@@ -506,6 +506,22 @@ def test_layers_and_units_spelled_in_other_ways(seed: int, tmp_path: Path) -> No
 
 
 @pytest.mark.parametrize(
+    ("text", "section"),
+    [("B1 40x80 cm", 'width = "40 cm", height = "80 cm" }'), ("40,5x80 cm", 'width = "40.5 cm", height = "80 cm" }'),
+     ("400x1,200 mm", 'width = "400 mm", height = "800 mm" }  # fill in')],
+)  # fmt: skip
+def test_sections_of_beams_with_commas(text: str, section: str, tmp_path: Path) -> None:
+    """A height of 1,200 mm may be 1.2 mm or 1200 mm: it is to be filled in."""
+
+    def draw(space: Modelspace) -> None:
+        rectangle(space, 0, 0, 10, 6)
+        space.add_line((1, 3), (9, 3), on("BEAMS"))
+        space.add_text(text, height=0.2, dxfattribs=on("BEAMS")).set_placement((3, 3.1))
+
+    assert section in dxf.to_case(read(draw, tmp_path))
+
+
+@pytest.mark.parametrize(
     ("text", "thickness", "points", "told"),
     [("", 0.25, 2, False), ("25 cm", 0.25, 2, False), ("30 cm", 0.3, 2, True), ("8 cm", 0.08, 4, True)],
 )

@@ -318,6 +318,7 @@ def test_units_in_any_case_of_letters(force: str, moment: str, read: tuple[str, 
         ("Node,Case,x [m],x [m],y [m],Fz [kN]\nA,G,1,2,0,5\n", r"two columns with x: x \[m\] and x \[m\]"),
         ("Node,Case,Fx,Fx,Fz\n,,kN,kN,kN\nA,G,1,2,5\n", "two columns with F_x"),
         ("Node,Case,Fz,Fz\n,,kN,kN\nA,G,1,2\n", "two columns with F_z"),
+        ("Node,Case,Fz [kN]\nA,G,5 kip\n", '"5 kip", expected a number'),
     ],
 )
 def test_what_headings_say_twice_is_refused(text: str, said: str, tmp_path: Path) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import random
 from pathlib import Path
 from typing import Any
 
@@ -425,6 +426,25 @@ def test_texts_are_numbers_as_the_file_writes_them(tmp_path: Path, value: object
     assert pytest.approx(P * 1e3) == load.P
 
 
+def test_coordinates_in_millimeters_are_noted(tmp_path: Path) -> None:
+    """A slab of 6000 m by 4000 m would be one of 6 m by 4 m if its nodes were in millimeters."""
+    sheets = slab()
+    for row in sheets["StructuralPointConnection"][1:]:
+        row[1:] = [1000 * value for value in row[1:]]
+    assert "the unit is m, which makes it a slab of 6e+03 m x 4e+03 m; it would be 6 m x 4 m in mm" in notes(
+        read(tmp_path, sheets)
+    )
+    assert "the unit is" not in notes(read(tmp_path, slab()))
+
+
+def test_a_unit_in_a_cell_is_refused(tmp_path: Path) -> None:
+    """It may be that of the heading or not: units stand in headings."""
+    for cell in ("-10 kN", "-10 kip"):
+        sheets = slab() | {"StructuralPointAction": [_FORCES, [*_FORCE[:4], cell, *_FORCE[5:]]]}
+        with pytest.raises(gs.InputError, match=f'value: found "{cell}", expected a number'):
+            read(tmp_path, sheets)
+
+
 def test_a_text_that_two_countries_read_differently_is_refused(tmp_path: Path) -> None:
     """-1,234 kN are 1.234 or 1234 kN; nothing else in the file tells which."""
     sheets = slab() | {"StructuralPointAction": [_FORCES, [*_FORCE[:4], "-1,234", *_FORCE[5:]]]}
@@ -509,6 +529,43 @@ def test_units_are_spelled_in_other_ways(tmp_path: Path, units: str, thickness: 
     sheets = slab() | {"Model": saf_files.model_sheet(units)}
     sheets["StructuralSurfaceMember"][0][3] = thickness
     assert read(tmp_path, sheets).parts["plate"].thickness == 0.3
+
+
+@pytest.mark.parametrize("seed", range(25))
+def test_sheets_headings_and_words_spelled_in_other_ways(seed: int, tmp_path: Path) -> None:
+    """Capitals, spaces, signs and brackets of sheets, headings, units and words: always the same slab and load."""
+    chance = random.Random(seed)
+
+    def letters(text: str) -> str:
+        return chance.choice([str.upper, str.lower, str.title, str])(text)
+
+    def heading(text: str) -> str:
+        name, _, unit = str(text).partition(" [")
+        name = letters(name).replace(" ", chance.choice([" ", "", "_", "  "]))
+        left, right = chance.choice(["[]", "()"]) if unit else ("", "")
+        unit = (
+            unit.removesuffix("]").replace("2", chance.choice(["2", "²", "^2"])).replace("3", chance.choice(["3", "³"]))
+        )
+        return f"{name}{chance.choice([' ', '', '  '])}{left}{unit}{right}"
+
+    words = {"Variable", "Wind", "Static", "Standard", "Constant", "Centre", "Global", "Z", "In node", "x by vector"}
+    sheets = slab() | {"StructuralPointAction": [_FORCES, [*_FORCE[:4], "-10,5", *_FORCE[5:]]]}
+    spelled = {
+        letters(name) + chance.choice(["", " "]): [
+            [heading(cell) for cell in rows[0]],
+            *([letters(cell) if cell in words else cell for cell in row] for row in rows[1:]),
+        ]
+        for name, rows in sheets.items()
+        if name != "Model"
+    }
+    model = chance.choice([["Metric", "Z vertical"], ["metric units", "z vertical"], ["METRIC", "Z-Vertical"]])
+    spelled["Model"] = saf_files.model_sheet(model[0], model[1].replace("-", " "))
+    case = read(tmp_path, spelled).model
+    assert (case.plate.thickness, case.plate.E, case.ground) == (0.3, 33e9, gs.Pasternak(k0=100e6, k1=50e6))
+    assert (case_of(case).action, case_of(case).category) == ("variable", "wind")
+    (load,) = case.loads
+    assert isinstance(load, gs.PointLoad)
+    assert load.P == 10.5e3
 
 
 def test_a_category_that_is_not_defined_is_noted(tmp_path: Path) -> None:

@@ -142,6 +142,8 @@ def write_case(folder: Path, csv: str) -> Path:
         "A,M,B\n1,-2,1\n-2,4,-2\n1,-2,1\n",
         '"A";"M";"B"\r\n1,0;-2;1\r\n-2;4,0;-2\r\n\r\n1;-2;1\r\n',
         "A\tM\tB\n1\t-2\t1\n-2\t4\t-2\n1\t-2\t1\n",
+        "A;M;B\n1.0;-2;1\n-2;4.000;-2\n1;-2;1\n",
+        "A;M;B\n1,000;-2;1\n-2;4,000E+000;-2\n1;-2;1\n",
     ],
 )
 def test_a_matrix_from_a_file(tmp_path: Path, csv: str) -> None:
@@ -174,6 +176,9 @@ def test_files_that_cannot_be_read(tmp_path: Path) -> None:
     assert 'line 3, value 2: found "4_0"' in str(refused.value)
     write_case(tmp_path, '"A,M,B\n1,-2,"1\n-2,4,-2\n' + "9" * 200_000 + "\n")
     with pytest.raises(gs.InputError, match="line 4, value 1"):
+        load(path)
+    write_case(tmp_path, "A;M;B\n1,5;-2;1.5\n-2;4;-2\n1;-2;1\n")
+    with pytest.raises(gs.InputError, match="commas or points may group digits"):
         load(path)
     (tmp_path / "frame.csv").unlink()
     with pytest.raises(gs.InputError, match=r'building\.file: found "frame.csv", expected the name of a file in'):

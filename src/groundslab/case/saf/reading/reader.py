@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -19,10 +19,13 @@ from groundslab.case.saf.reading.loads.on_members import read_loads, read_settle
 from groundslab.case.saf.reading.slab import Slab, SlabInFile, choose_slab, find_slabs
 from groundslab.case.saf.reading.structure import read_beams, read_columns, read_plate, read_walls
 from groundslab.case.saf.reading.workbook import Row, find_doubles, read_sheets
+from groundslab.case.saf.units import to_si, unit_of
+from groundslab.case.size import remark_on_size
 from groundslab.errors import InputError, Issue
 from groundslab.model.model import Model
 from groundslab.model.outputs import Project
 from groundslab.model.reactions import Decimals
+from groundslab.model.structure.columns import Column
 from groundslab.schema.wording import describe, quote
 
 #: The sheets that are read.
@@ -193,6 +196,8 @@ def _read_parts(context: ReadContext, slab: Slab) -> dict[str, Any]:
     """Return the parts of the case; issues are the context's."""
     plate = read_plate(context, slab)
     beams, columns, walls = read_beams(context, slab), read_columns(context, slab), read_walls(context, slab)
+    if size := _remark_on_size(context, slab, columns):
+        context.note(slab.row, size)
     ground, zones = read_ground(context, slab)
     supports, cases = read_supports(context, slab), read_cases(context)
     combinations, combine = read_combinations(context, cases)
@@ -228,6 +233,14 @@ def _read_parts(context: ReadContext, slab: Slab) -> dict[str, Any]:
             None, "ground of regions, left out: there is none under the rest of the slab", "StructuralSurfaceConnection"
         )
     return {name: part for name, part in parts.items() if part is not None}
+
+
+def _remark_on_size(context: ReadContext, slab: Slab, columns: Sequence[Column]) -> str:
+    """Return what of the size of a slab and its columns contradicts the unit of coordinates, nothing if they agree."""
+    x, y = zip(*(place for edge in slab.edges for place in edge.points), strict=True)
+    widths = [width for each in columns for width in (each.width_x, each.width_y, each.diameter) if width is not None]
+    unit = unit_of("length", context.imperial)
+    return remark_on_size((max(x) - min(x), max(y) - min(y)), widths, unit, to_si(1.0, "length", context.imperial))
 
 
 def _title(context: ReadContext) -> str:
