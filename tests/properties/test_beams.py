@@ -13,6 +13,7 @@ from groundslab.model.model import Model
 from groundslab.model.plate import Plate
 from groundslab.model.structure.beams import Beam
 from groundslab.results.results import CombinationResult
+from helpers.examples import examples
 from helpers.similar import rescale
 from helpers.strategies import beams
 
@@ -68,7 +69,7 @@ def compare(one: CombinationResult, image: CombinationResult, turn: Array, sign:
 
 
 @pytest.mark.slow
-@settings(FEW, max_examples=30)
+@settings(FEW, max_examples=examples(10))
 @given(ribs)
 def test_mirror_image(ribs: list[Beam]) -> None:
     """The mirror image of beams and loads has the mirror image as solution; torsion turns the other way."""
@@ -77,7 +78,7 @@ def test_mirror_image(ribs: list[Beam]) -> None:
 
 
 @pytest.mark.slow
-@settings(FEW, max_examples=30)
+@settings(FEW, max_examples=examples(10))
 @given(ribs)
 def test_quarter_turn(ribs: list[Beam]) -> None:
     """Turned by 90 degrees, everything has the turned solution; section forces stay as they are."""
@@ -87,7 +88,7 @@ def test_quarter_turn(ribs: list[Beam]) -> None:
 
 
 @pytest.mark.slow
-@settings(FEW, max_examples=10)
+@settings(FEW, max_examples=examples(5))
 @given(ribs, st.sampled_from([0.1, 30.0]), st.sampled_from([0.01, 1e3]))
 def test_other_units(ribs: list[Beam], lengths: float, forces: float) -> None:
     """Lengths and forces times numbers give moments times that of both."""

@@ -10,6 +10,7 @@ from groundslab.analysis.check import check
 from groundslab.discretize.discretize import discretize
 from groundslab.errors import InputError
 from groundslab.model.model import Model
+from helpers.examples import examples
 from helpers.strategies import models, rich_models
 
 FUZZ = settings(deadline=None, derandomize=True, database=None, suppress_health_check=list(HealthCheck))
@@ -25,7 +26,7 @@ def refusal(work: object, model: Model) -> set[str]:
 
 
 @pytest.mark.slow
-@settings(FUZZ, max_examples=80)
+@settings(FUZZ, max_examples=examples(30))
 @given(st.one_of(models(), rich_models(), rich_models(whole=True)))
 def test_what_is_refused_in_solving_is_refused_in_checking(model: Model) -> None:
     """Of random models of every kind, check names the same issues as the making of the arrays to be solved."""

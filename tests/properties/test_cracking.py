@@ -8,6 +8,7 @@ from hypothesis import strategies as st
 
 from groundslab.analysis.driver import solve
 from groundslab.case import casefile
+from helpers.examples import examples
 
 GROUNDS = (
     'kind = "winkler"\nk = "{} MPa/m"',
@@ -78,7 +79,7 @@ def cases(draw: st.DrawFn) -> str:
 
 
 @pytest.mark.slow
-@settings(max_examples=16, deadline=None, derandomize=True)
+@settings(max_examples=examples(8), deadline=None, derandomize=True)
 @given(text=cases())
 def test_the_iteration_ends_in_a_certified_result(text: str) -> None:
     """What the elastic slab bears the cracked one bears too: contact, gamma and stiffness converge together."""

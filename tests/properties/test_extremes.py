@@ -23,6 +23,7 @@ from groundslab.geometry.plan import MOST_CHORDS
 from groundslab.model.consistency import estimate_elements
 from groundslab.model.model import Model
 from groundslab.model.shapes import Polygon
+from helpers.examples import examples
 
 pytestmark = pytest.mark.slow
 
@@ -148,7 +149,7 @@ def test_senseless_numbers_are_faults_where_they_stand(data: Any) -> None:
             assert any(str(path[-1]) in where or f"[{path[-1]}" in where or path[0] in where for where in named)
 
 
-@settings(FUZZ, max_examples=25)
+@settings(FUZZ, max_examples=examples(10))
 @given(st.sampled_from(DATA), st.data())
 def test_sizes_far_off_end_well(data: Any, draw: st.DataObject) -> None:
     """A number or two made larger or smaller by up to sixteen digits: a certified result or an error raised on purpose.
@@ -178,7 +179,7 @@ def solved(model: Model) -> None:
     assert not isinstance(refused, InputError), refused
 
 
-@settings(FUZZ, max_examples=60)
+@settings(FUZZ, max_examples=examples(25))
 @given(
     st.lists(st.tuples(st.integers(-3, 3), st.integers(-3, 3)), min_size=2, max_size=5),
     st.lists(st.sampled_from([1e12, -1e9, 1e3, 101, 100, -100, 99.5, 10, 1, 0.5, -1, 1e-6, 1e-9, -1e-17, 1e-40, 0]),

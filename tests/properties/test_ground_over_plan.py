@@ -18,6 +18,7 @@ from groundslab.model.plate import Plate
 from groundslab.model.settings import Beyond, Contact, Mesh
 from groundslab.model.shapes import Rectangle
 from groundslab.model.varying_ground import Borehole, SoilZone
+from helpers.examples import examples
 from helpers.nodes import nodes_at
 from helpers.strategies import MODULI_OF_SOIL, POISSON, models, numbers
 
@@ -147,7 +148,9 @@ def varying(draw: st.DrawFn) -> Model:
     return model.replace(soil_zones=zones)
 
 
-@settings(max_examples=80, deadline=None, derandomize=True, database=None, suppress_health_check=list(HealthCheck))
+@settings(
+    max_examples=examples(30), deadline=None, derandomize=True, database=None, suppress_health_check=list(HealthCheck)
+)
 @given(varying())
 def test_varying_ground_ends_in_a_certified_result_or_a_clear_error(model: Model) -> None:
     """Zones and boreholes anywhere, of any layers, neither crash nor warn nor give an uncertified result."""
@@ -162,7 +165,7 @@ def test_varying_ground_ends_in_a_certified_result_or_a_clear_error(model: Model
         assert np.isfinite(results.plate.settlement).all()
 
 
-@settings(max_examples=60, deadline=None, derandomize=True, database=None)
+@settings(max_examples=examples(25), deadline=None, derandomize=True, database=None)
 @given(
     st.sampled_from(["consistent", "profile", "vlasov", "interface of soil", "given gamma"]),
     st.lists(
@@ -193,7 +196,7 @@ def test_boreholes_anywhere(name: str, places: list[tuple[float, float, float, f
     assert {issue.location for issue in issues} == {"boreholes"}
 
 
-@settings(max_examples=20, deadline=None, derandomize=True, database=None)
+@settings(max_examples=examples(10), deadline=None, derandomize=True, database=None)
 @given(st.floats(0.1, 10.0), st.floats(0.1, 10.0))
 def test_stiffer_soil_anywhere_stores_less_work(left: float, right: float) -> None:
     """Glued to its ground, a plate under one force sinks less under it if any zone is made stiffer (Rayleigh)."""

@@ -25,11 +25,14 @@ from groundslab.model.supports import LineSupport
 from groundslab.results.results import Results
 from groundslab.solvers import contact, factor_reuse, factorization
 from groundslab.solvers.equilibrium import require_equilibrium
+from helpers.examples import examples
 from helpers.strategies import rich_models
 
 pytestmark = pytest.mark.slow
 
-FEW = settings(deadline=None, derandomize=True, database=None, suppress_health_check=list(HealthCheck), max_examples=10)
+FEW = settings(
+    deadline=None, derandomize=True, database=None, suppress_health_check=list(HealthCheck), max_examples=examples(4)
+)
 SAME = 1e-6  # of the largest value: gamma is iterated to 1e-6
 PLATE: dict[str, Any] = {"length_x": 6, "length_y": 4, "thickness": 0.3, "E": 3e10, "nu": 0.2}
 BASE: dict[str, Any] = {"plate": PLATE, "ground": {"kind": "pasternak", "k0": 2e7, "k1": 5e6}, "mesh": {"size": 0.5}}

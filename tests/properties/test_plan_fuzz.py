@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 from groundslab.analysis.driver import solve
 from groundslab.case.casefile import from_table
 from groundslab.errors import GroundslabError
+from helpers.examples import examples
 
 pytestmark = pytest.mark.slow
 
@@ -85,14 +86,14 @@ def ends_well(case: dict[str, Any]) -> None:
     assert len(said) > 15
 
 
-@settings(max_examples=50, deadline=None, derandomize=True, suppress_health_check=list(HealthCheck))
+@settings(max_examples=examples(20), deadline=None, derandomize=True, suppress_health_check=list(HealthCheck))
 @given(cases(SHAPES, SHAPES))
 def test_any_drawing_ends_well(case: dict[str, Any]) -> None:
     """Outlines that cross themselves, openings outside, zones of no size: an error, never a crash."""
     ends_well(case)
 
 
-@settings(max_examples=80, deadline=None, derandomize=True, suppress_health_check=list(HealthCheck))
+@settings(max_examples=examples(30), deadline=None, derandomize=True, suppress_health_check=list(HealthCheck))
 @given(cases(PLATES, CIRCLES | RECTANGLES))
 def test_sensible_outlines_end_well(case: dict[str, Any]) -> None:
     """Sound outlines with openings and zones anywhere: most are solved, the rest refused."""

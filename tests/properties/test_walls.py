@@ -23,6 +23,7 @@ from groundslab.model.settings import Contact, Mesh
 from groundslab.model.shapes import AnyShape, Circle, Polygon, Rectangle
 from groundslab.model.structure.walls import Wall
 from groundslab.results.results import CombinationResult
+from helpers.examples import examples
 from helpers.similar import rescale
 from helpers.strategies import load_on_wall, walls
 
@@ -117,7 +118,7 @@ def assert_same(one: Array, other: Array) -> None:
 
 
 @pytest.mark.slow
-@settings(FEW, max_examples=40)
+@settings(FEW, max_examples=examples(14))
 @given(loaded_walls())
 def test_mirror_image(loaded: tuple[list[Wall], list[Any]]) -> None:
     """The mirror image of walls and loads has the mirror image as solution."""
@@ -131,7 +132,7 @@ def test_mirror_image(loaded: tuple[list[Wall], list[Any]]) -> None:
 
 
 @pytest.mark.slow
-@settings(FEW, max_examples=40)
+@settings(FEW, max_examples=examples(14))
 @given(loaded_walls())
 def test_quarter_turn(loaded: tuple[list[Wall], list[Any]]) -> None:
     """Turned by 90 degrees plate, walls and mesh have the turned solution; the loads stay as they are."""
@@ -149,7 +150,7 @@ def test_quarter_turn(loaded: tuple[list[Wall], list[Any]]) -> None:
 
 
 @pytest.mark.slow
-@settings(FEW, max_examples=20)
+@settings(FEW, max_examples=examples(8))
 @given(loaded_walls(), st.sampled_from([0.1, 30.0]), st.sampled_from([0.01, 1e3]))
 def test_other_units(loaded: tuple[list[Wall], list[Any]], lengths: float, forces: float) -> None:
     """Lengths and forces times numbers give settlements times that of lengths, moments times that of forces."""

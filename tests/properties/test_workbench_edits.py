@@ -15,6 +15,7 @@ from groundslab.case import casefile
 from groundslab.schema import toml_writer
 from groundslab.workbench.editing.document import Document
 from groundslab.workbench.editing.undo import History
+from helpers.examples import examples
 from helpers.paths import ROOT
 
 pytestmark = pytest.mark.slow
@@ -160,7 +161,7 @@ def comments(text: str) -> list[str]:
     return sorted(re.findall(r"#[^\n]*", plain))
 
 
-@settings(deadline=None, derandomize=True, max_examples=150)
+@settings(deadline=None, derandomize=True, max_examples=examples(60))
 @given(data=st.data())
 def test_an_edit_changes_what_it_says_and_undo_brings_every_byte_back(data: st.DataObject) -> None:
     """Random texts, random edits one after the other: data as by plain assignment; undone, the very same text."""
@@ -190,7 +191,7 @@ def test_an_edit_changes_what_it_says_and_undo_brings_every_byte_back(data: st.D
 
 
 @pytest.mark.parametrize("name", EXAMPLES)
-@settings(deadline=None, derandomize=True, max_examples=25)
+@settings(deadline=None, derandomize=True, max_examples=examples(10))
 @given(data=st.data())
 def test_comments_of_the_examples_survive(name: str, data: st.DataObject) -> None:
     """Values set, things added and moved at random: not a comment is lost, and undoing all gives the same bytes."""
