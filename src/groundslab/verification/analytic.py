@@ -27,6 +27,7 @@ from groundslab.verification.analytic_continuum import (
     stress_below_rectangle,
 )
 from groundslab.verification.analytic_ground import confined_compression, sinh_mode, wedge
+from groundslab.verification.analytic_pads import pad_by_aci318, pad_by_en1992_2004, pad_by_en1992_2023
 from groundslab.verification.analytic_plates import (
     circle_under_linear_pressure,
     clamped_ellipse,
@@ -245,6 +246,9 @@ _QUANTITIES: dict[Callable[..., dict[str, float]], tuple[str, ...]] = {
     partly_loaded_plate: ("settlement", "moment_x", "moment_y"),
     patch_at_an_edge: ("settlement", "moment"),
     sinh_mode: ("k0", "k1"),
+    pad_by_en1992_2004: ("used", "at the face"),
+    pad_by_en1992_2023: ("tau_Ed",),
+    pad_by_aci318: ("v_u", "phi v_c"),
     wood_armer: ("bottom_x", "bottom_y", "top_x", "top_y"),
 }
 _SINGLE = (

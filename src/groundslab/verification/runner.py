@@ -26,12 +26,13 @@ from groundslab.accuracy.values import estimate_error, estimate_errors
 from groundslab.analysis import driver
 from groundslab.case import casefile
 from groundslab.design.beam_bars import section_forces
+from groundslab.design.checks import DesignCheck, check_design
 from groundslab.discretize.ground import ground_of, varies
 from groundslab.fem.vlasov import Soil
 from groundslab.model.ground import SoilLayer
 from groundslab.model.model import Model
 from groundslab.results.fields import PLATE_FIELDS
-from groundslab.results.results import CombinationResult
+from groundslab.results.results import CombinationResult, Results
 from groundslab.verification.analytic import FORMULAS
 from groundslab.verification.design_values import VALUES
 from groundslab.verification.proofs import PROOFS
@@ -212,7 +213,13 @@ def _of_beam(results: CombinationResult, row: Mapping[str, Any], name: str) -> f
     return float(np.interp(row["way"], own.way, getattr(own, name)))
 
 
-#: What a row may ask for: the dimension of its unit, and how to take it from the results.
+def _check(results: CombinationResult, row: Mapping[str, Any]) -> DesignCheck:
+    """Return the design check that a row names."""
+    combined = Results(results.model, results.model.combinations, {results.combination: results}, {})
+    return next(check for check in check_design(combined).checks if check.name == row["check"])
+
+
+#: What a row may ask for: the dimension of its unit, and how to take it from the results; of a check in its own unit.
 QUANTITIES: dict[str, tuple[str | None, Quantity]] = {
     "settlement": ("length", lambda r, row: r.plate.value_at("settlement", *row["at"])),
     "largest settlement": ("length", lambda r, _: float(r.plate.settlement.max())),
@@ -227,6 +234,9 @@ QUANTITIES: dict[str, tuple[str | None, Quantity]] = {
     "shear force of a beam": ("force", lambda r, row: _of_beam(r, row, "shear")),
     "force of a support": ("force", lambda r, row: next(s.total for s in r.supports if s.name == row["support"])),
     "contact share": ("share", lambda r, _: r.plate.contact_share),
+    "demand of a check": (None, lambda r, row: _check(r, row).demand or 0.0),
+    "resistance of a check": (None, lambda r, row: _check(r, row).resistance or 0.0),
+    "share of a check": (None, lambda r, row: _check(r, row).utilisation or 0.0),
     "k0": ("pressure per length", lambda r, row: r.constants.k0[row.get("layer", 1) - 1]),
     "k1": ("pressure times length", lambda r, row: r.constants.k1[row.get("layer", 1) - 1]),
     "gamma": (None, lambda r, _: r.constants.gamma or 0.0),
