@@ -315,12 +315,12 @@ def _top(a: Array, y: Array) -> tuple[float, float]:
     """Return where a parabola through three points (3,) is highest between them, and by how much above them."""
     if len(a) < 3:
         return float(a[-1]) if len(a) else 0.0, 0.0
-    curve = np.polynomial.Polynomial.fit(a, y, 2, domain=[a[0], a[-1]])
-    second = float(curve.deriv(2)(a[1]))
+    slopes = np.diff(y) / np.diff(a)
+    second = float((slopes[1] - slopes[0]) / (a[2] - a[0]))  # y = y_0 + slope (a - a_0) + second (a - a_0) (a - a_1)
     if second >= 0:
         return float(a[1]), 0.0
-    at = float(np.clip(curve.deriv().roots().real[0], a[0], a[-1]))
-    return at, float(curve(at)) - float(y.max())
+    at = float(np.clip((a[0] + a[1]) / 2 - slopes[0] / (2 * second), a[0], a[-1]))
+    return at, float(y[0] + (at - a[0]) * (slopes[0] + second * (at - a[1]))) - float(y.max())
 
 
 def _demand(results: CombinationResult, site: _Site, face: ControlPerimeter | str, distances: list[float]) -> Demand:
