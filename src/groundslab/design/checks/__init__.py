@@ -22,11 +22,16 @@ from groundslab.results.results import Results
 __all__ = ["CHECKS", "Design", "DesignCheck", "Status", "check_design"]
 
 
+#: Parts of a case on which remarks are remarks on its loads.
+LOADED = frozenset({"cases", "combinations", "combine", "loads", "moves", "patterns"})
+
+
 def _left_out(combined: Results) -> Iterator[DesignCheck]:
-    """Yield the remarks on loads and combinations that leave a verdict in doubt."""
+    """Yield the remarks on loads, combinations and other input that leave a verdict in doubt."""
     for remark in find_remarks(combined.model, combined.combinations):
         if remark.doubtful:
-            yield DesignCheck("loads", "attention", remark.words, of=remark.of)
+            name = "loads" if remark.path[0] in LOADED else "input"
+            yield DesignCheck(name, "attention", remark.words, of=remark.of)
 
 
 #: All checks, in the order in which those of one status are listed.

@@ -15,9 +15,11 @@ from groundslab.model.combinations import list_combinations
 from groundslab.model.loads.clipping import find_clipped_loads
 from groundslab.model.loads.load_cases import SERVICEABILITY, Combination, LimitState
 from groundslab.model.loads.load_types import SelfWeight
-from groundslab.model.loads.patterns import absent_forces
+from groundslab.model.loads.patterns import Vehicle, absent_forces
+from groundslab.model.plates.region import get_plate_region
 from groundslab.model.remarks.case_use import CaseUse, case_uses
 from groundslab.model.remarks.resultants import case_forces
+from groundslab.model.remarks.unusual import unusual_quantities
 from groundslab.model.structure.columns import overlapping_columns
 from groundslab.model.structure.spans import spans_of
 from groundslab.schema.issues import RelativeIssue
@@ -29,6 +31,8 @@ if TYPE_CHECKING:
 
 #: What cases of variable actions are called.
 VARIABLE = re.compile(r"(Q|live|imposed|variable|traffic|wind|snow)([ _-]?loads?)?[ _-]?\d*", re.IGNORECASE)
+#: Boreholes further off the plates than this share of their longer side are remarked on.
+FAR_BOREHOLE = 0.1
 #: So many combinations that repeat others are named.
 MOST_NAMED = 3
 
@@ -95,6 +99,9 @@ def find_remarks(model: Model, combinations: Sequence[Combination] | None = None
         *_on_spans(model),
         *_on_clipped_loads(model),
         *_on_patterns(model),
+        *_on_moves(model),
+        *_on_boreholes(model),
+        *(Remark(*unusual) for unusual in unusual_quantities(model)),
         *_on_repeated(model, uses, combinations),
         *_on_combine(model, uses, combinations),
         *_on_names(model, uses),
@@ -193,6 +200,34 @@ def _on_patterns(model: Model) -> Iterator[Remark]:
             yield Remark(("patterns", position), words, doubtful=True, of=pattern.name)
     for position, words in absent_forces(model.plate, model.patterns, model.moves, model.plates):
         yield Remark(("moves", position), words)
+
+
+def _on_moves(model: Model) -> Iterator[Remark]:
+    """Yield the vehicles, and other patterns on paths, in permanent cases, where [combine] tells them apart."""
+    if model.combine is None:
+        return
+    actions = {case.name: case.action for case in model.cases}
+    vehicles = {pattern.name for pattern in model.patterns if isinstance(pattern, Vehicle)}
+    for position, move in enumerate(model.moves):
+        if (move.travels or move.pattern in vehicles) and actions.get(move.case) == "permanent":
+            pattern, case = quote(move.pattern), quote(move.case)
+            words = f'pattern {pattern} moves in case {case}, which is permanent; a moving load is "variable"'
+            yield Remark(("moves", position), words, doubtful="ultimate" in model.combine.sets, of=move.case)
+
+
+def _on_boreholes(model: Model) -> Iterator[Remark]:
+    """Yield the boreholes far off the plates, as where the origin or a unit was mistaken."""
+    if not model.boreholes:
+        return
+    from shapely import Point
+
+    area = get_plate_region(model.plate, model.plates).area
+    for position, hole in enumerate(model.boreholes):
+        off = area.distance(Point(hole.x, hole.y))
+        if off > FAR_BOREHOLE * max(model.sides):
+            name = quote(hole.name) if hole.name else str(position + 1)
+            distance = show(off, "length")
+            yield Remark(("boreholes", position), f"borehole {name} is {distance} off the plate")
 
 
 def _on_repeated(model: Model, uses: Sequence[CaseUse], combinations: Sequence[Combination]) -> Iterator[Remark]:

@@ -7,12 +7,15 @@ from typing import Any
 
 import pytest
 
+from groundslab import units
 from groundslab.case import casefile
 from groundslab.cli.main import main
 from groundslab.model.combinations import list_combinations
 from groundslab.model.model import Model
 from groundslab.model.remarks.case_use import case_uses
 from groundslab.model.remarks.remarks import Remark, find_remarks
+from groundslab.model.remarks.unusual import USUAL
+from groundslab.schema.fields import Quantity
 
 PLATE: dict[str, Any] = {
     "plate": {"length_x": 6, "length_y": 4, "thickness": 0.4, "E": 33e9, "nu": 0.2},
@@ -208,6 +211,83 @@ def test_a_case_that_moves_acts_at_its_positions() -> None:
     dead, live = case_uses(model, combinations)
     assert dead.words() == "ultimate 1 to 1.35 (12 of 12); characteristic 1 (6 of 6)"
     assert (live.loads, live.words()) == (1, "ultimate 1.5 (10 of 12); characteristic 1 (5 of 6)")
+
+
+def test_a_vehicle_in_a_permanent_case() -> None:
+    """It would have 1.35 and stand everywhere; as does a vehicle at one place, but not a rack there."""
+    axle = {"kind": "vehicle", "name": "axle", "wheels": [{"P": 45e3}]}
+    rack = {"kind": "rack", "name": "rack", "P": 60e3}
+    path = {"points": [(-2, 0), (2, 0)], "step": 1.0}
+    sets = {"sets": ["ultimate", "characteristic"]}
+    words = 'pattern "axle" moves in case "G", which is permanent; a moving load is "variable"'
+    for move in (path, {"points": [(1, 0)]}):
+        parts: dict[str, Any] = {"patterns": [axle], "moves": [{"pattern": "axle", "case": "G"} | move]}
+        assert only(**parts, combine=sets) == ("moves[1]", words, True)
+        assert only(**parts, combine={"sets": ["characteristic"]})[1:] == (words, False)
+        # without [combine] nothing asks whether a case is permanent; in a variable one all is well
+        assert remarks(**parts, combinations=[BOTH]) == []
+        parts["moves"][0]["case"] = "Q"
+        assert remarks(**parts, combine=sets) == []
+    assert remarks(patterns=[rack], moves=[{"pattern": "rack", "case": "G", "points": [(1, 0)]}], combine=sets) == []
+
+
+def thick(plate: float, zone: float) -> dict[str, Any]:
+    """Return the plate with a thickness, and another one in its middle."""
+    zone_table = {"thickness": zone, "shape": {"kind": "rectangle", "x": (-1, 1), "y": (-1, 1)}}
+    return PLATE["plate"] | {"thickness": plate, "zones": [zone_table]}
+
+
+def test_quantities_far_off_what_is_usual() -> None:
+    """1 mm for 1 m, 25 N/m^3 for 25 kN/m^3; said once for each key, and no design passes before it is looked at."""
+    words = "plate.zones[1].thickness: 1 mm is far below the usual 100 mm to 3 m; is the unit right?"
+    assert only(plate=thick(1.05, 1e-3), combinations=[BOTH]) == ("plate.zones[1].thickness", words, True)
+    weight = {"kind": "self weight", "case": "G", "unit_weight": 25.0}
+    words = "loads[1].unit_weight: 25 N/m^3 is far below the usual 10 kN/m^3 to 30 kN/m^3; is the unit right?"
+    assert only(loads=[weight, uniform("Q")], combinations=[BOTH]) == ("loads[1].unit_weight", words, True)
+    loads = [uniform("G", 5e6 * 1.01), uniform("Q", -6e6)]
+    words = "loads[1].q, one of 2: 5.05 MPa is far above the usual 500 Pa to 500 kPa; is the unit right?"
+    assert only(loads=loads, combinations=[BOTH])[1] == words
+    assert only(ground={"kind": "winkler", "k": 20e3}, combinations=[BOTH])[0] == "ground.k"
+    # what is far too stiff may be so on purpose
+    words = "plate.E: 30000 GPa is far above the usual 5 GPa to 50 GPa; is the unit right?"
+    assert only(plate=PLATE["plate"] | {"E": 30e12}, combinations=[BOTH]) == ("plate.E", words, False)
+
+
+def test_a_zone_far_from_its_plate() -> None:
+    """50 mm on a plate of 1050 mm is usual by itself; ten times as thick or a tenth is not far."""
+    words = "plate.zones[1].thickness: 50 mm in a plate of 1.05 m; is the unit right?"
+    assert only(plate=thick(1.05, 0.05), combinations=[BOTH]) == ("plate.zones[1].thickness", words, True)
+    for ratio in (0.1, 10.0):
+        assert remarks(plate=thick(0.3, 0.3 * ratio), combinations=[BOTH]) == []
+
+
+def test_ranges_are_of_keys_that_there_are() -> None:
+    """Each range is one of a quantity of the model, around an example of its key."""
+    keys, seen = dict[tuple[str, str], Quantity](), set[type]()
+
+    def walk(section: Any) -> None:
+        if section in seen:
+            return
+        seen.add(section)
+        for key, field in section.model_fields.items():
+            if isinstance(field.type, Quantity):
+                keys[section.__name__, key] = field.type
+            for part in field.sections.parts:
+                walk(part)
+
+    walk(Model)
+    for name, ranges in USUAL.items():
+        for key, (low, high) in ranges.items():
+            quantity = keys[name, key]
+            assert low <= units.parse(quantity.usual, quantity.dimension) <= high, (name, key)
+
+
+def test_a_borehole_far_off_the_plate() -> None:
+    """One beside the building is usual: a tenth of its longer side, 0.6 m, is not far."""
+    layers = [{"E": 20e6, "nu": 0.3, "thickness": 3.0}]
+    holes = [{"name": name, "x": x, "y": 0, "layers": layers} for name, x in (("near", 3.6), ("far", 53.0))]
+    found = only(ground={"kind": "vlasov", "layers": layers}, boreholes=holes, combinations=[BOTH])
+    assert found == ("boreholes[2]", 'borehole "far" is 50 m off the plate', False)
 
 
 def test_check_prints_them(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -9,6 +9,8 @@ export interface ActionField {
   is: "length" | "lengths" | "force" | "pressure" | "angle" | "number" | "count" | "choice" | "case" | "flag";
   initial: string;
   options?: readonly string[];
+  /** Whether only cases are offered that are not permanent. */
+  imposed?: boolean;
   /** Whether it is asked for with the present values. */
   shown?: (values: Values) => boolean;
   /** Values of other fields that a choice fills in, null if it leaves them. */

@@ -18,7 +18,7 @@ import { boundsOfItems, type Item, itemsOf, titleOfAll } from "../../model/items
 import { pathKey, sameValue, type Table } from "../../model/paths";
 import { readTables, writeTables } from "../../model/toml";
 import type { Canvas } from "../canvas";
-import type { Values } from "../fields";
+import type { ActionField, Values } from "../fields";
 import { casesToChoose, type Generator } from "../generators/generator";
 import { type ActionForm, FORMS } from "./forms";
 import { type SelectionAction, whyNotDone } from "./why-not";
@@ -75,10 +75,10 @@ export class Actions {
     this.addCopiesAt(tables, this.besides(), `duplicate ${titleOfAll(data, selected)}`);
   }
 
-  /** The load cases to choose from, and the one that new loads are in. */
-  get cases(): { all: string[]; active: string } {
-    const all = casesToChoose(this.store.data);
-    return { all, active: this.canvas.loadCase || all[0]! };
+  /** Return the load cases to choose from, and the one that new loads are in. */
+  casesFor({ imposed }: ActionField): { all: string[]; active: string } {
+    const all = casesToChoose(this.store.data, imposed);
+    return { all, active: all.includes(this.canvas.loadCase) ? this.canvas.loadCase : all[0]! };
   }
 
   /** Return why an action can do nothing with what is selected, empty if it can. */

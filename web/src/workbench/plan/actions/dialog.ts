@@ -143,8 +143,9 @@ export class ActionDialog {
     }
   }
 
-  private makeRow(form: ActionForm | Generator, { key, label, is, initial, options }: ActionField): HTMLElement {
-    const { all, active } = this.actions.cases;
+  private makeRow(form: ActionForm | Generator, field: ActionField): HTMLElement {
+    const { key, label, is, initial, options } = field;
+    const { all, active } = this.actions.casesFor(field);
     const other = all.find((name) => name !== active) ?? active; // for loads in a second case
     const value =
       is === "case" ? (key === "case" ? active : other) : (this.typed.get(`${form.name} ${key}`) ?? initial);

@@ -25,16 +25,25 @@ export const NEW_CASE = "new load case";
 
 export const CASE: ActionField = { key: "case", label: "load case", is: "case", initial: "" };
 
-/** Return the load cases to choose from. */
-export function casesToChoose(data: Table): string[] {
-  return [...namesIn(listAt(data, ["cases"])), NEW_CASE];
+/** The case of traffic and of stored goods, which is never permanent. */
+export const IMPOSED_CASE: ActionField = { ...CASE, imposed: true };
+
+/** Return the load cases to choose from; imposed loads are in none that is permanent, as one without an action is. */
+export function casesToChoose(data: Table, imposed = false): string[] {
+  const cases = listAt(data, ["cases"]).filter(isTable);
+  return [...namesIn(cases.filter(({ action }) => !imposed || (action ?? "permanent") !== "permanent")), NEW_CASE];
 }
 
 /** Return the edits that the chosen load case needs, and its name; loads that had none before get one of their own. */
-export function chosenCase(data: Table, values: Values, name: string): { edits: Edit[]; case: string } {
+export function chosenCase(
+  data: Table,
+  values: Values,
+  name: string,
+  imposed = false,
+): { edits: Edit[]; case: string } {
   const cases = namesIn(listAt(data, ["cases"]));
   const chosen = values.case ?? "";
-  if (cases.includes(chosen)) return { edits: [], case: chosen };
+  if (casesToChoose(data, imposed).slice(0, -1).includes(chosen)) return { edits: [], case: chosen };
   const free = freeName(cases, name);
   const others = [...listAt(data, ["loads"]), ...listAt(data, ["moves"])].some(isTable);
   const before =

@@ -20,7 +20,7 @@ import {
   sizeOf,
   type Values,
 } from "../fields";
-import { CASE, chosenCase, formatForce, type Generator } from "./generator";
+import { chosenCase, formatForce, type Generator, IMPOSED_CASE } from "./generator";
 
 const DOUBLE = "back to back";
 const LOADS = "point loads";
@@ -42,7 +42,7 @@ const FIELDS: readonly ActionField[] = [
   length("x", "first leg x", "0 m"),
   length("y", "first leg y", "0 m"),
   angle("angle", "direction [°]", "0"),
-  CASE,
+  IMPOSED_CASE,
   { key: "as", label: "as", is: "choice", initial: "pattern", options: ["pattern", LOADS] },
 ];
 
@@ -59,7 +59,7 @@ export const RACKS: Generator = {
     const rows = countOf(values, "rows");
     const legs = rows * frames * across.length;
     if (legs > MOST_LEGS) throw new Impossible(`${legs} legs are too many, expected at most ${MOST_LEGS}`);
-    const found = chosenCase(data, values, "racks");
+    const found = chosenCase(data, values, "racks", true);
     const make = values.as === LOADS ? asLoads : asPattern;
     const made = make(data, values, across, found.case);
     return {

@@ -5,7 +5,7 @@ import { listAt, type Table } from "../../model/paths";
 import { formatLength } from "../../model/quantities";
 import { type Force, force, forceOf, length, lengthOf, newtonsOf, pressureOf, sizeOf, type Values } from "../fields";
 import { FORKLIFT, noteOnForklift } from "./forklifts";
-import { CASE, chosenCase, formatForce, type Generator } from "./generator";
+import { chosenCase, formatForce, type Generator, IMPOSED_CASE } from "./generator";
 
 const TIRE = "tire pressure";
 const hasWidths = ({ contact }: Values) => contact !== TIRE;
@@ -37,7 +37,7 @@ export const VEHICLE: Generator = {
     length("x2", "to x", "5 m"),
     length("y2", "to y", "0 m"),
     length("step", "step", "1 m"),
-    CASE,
+    IMPOSED_CASE,
   ],
   places: [
     ["x", "y"],
@@ -45,7 +45,7 @@ export const VEHICLE: Generator = {
   ],
   generate: (data, values) => {
     const name = freeName(namesIn(listAt(data, ["patterns"])), "vehicle");
-    const found = chosenCase(data, values, name);
+    const found = chosenCase(data, values, name, true);
     const [from, to] = [place(values, "x", "y"), place(values, "x2", "y2")];
     const distance = Math.hypot(to[0] - from[0], to[1] - from[1]);
     const step = lengthOf(values, "step");

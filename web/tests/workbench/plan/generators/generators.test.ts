@@ -5,12 +5,12 @@ import { itemsOf } from "../../../../src/workbench/model/items";
 import { isTable, listAt, type Table, valueAt } from "../../../../src/workbench/model/paths";
 import { lengthsOf } from "../../../../src/workbench/plan/fields";
 import { BUILDING_AXES } from "../../../../src/workbench/plan/generators/building-axes";
-import type { Generator } from "../../../../src/workbench/plan/generators/generator";
+import { casesToChoose, type Generator } from "../../../../src/workbench/plan/generators/generator";
 import { generatorForKey } from "../../../../src/workbench/plan/generators/generators";
 
 const FLOOR: Table = {
   plate: { length_x: "24 m", length_y: "12 m" },
-  cases: [{ name: "floor" }, { name: "storage" }],
+  cases: [{ name: "floor" }, { name: "storage", action: "variable" }],
   loads: [{ kind: "self weight", case: "floor" }],
 };
 
@@ -98,6 +98,19 @@ describe("racks", () => {
     }))
       expect(() => make("k", { [key]: value }), key).toThrow(/found|too many/);
     expect(() => make("k", { bays: "0" })).toThrow(/^bays: found "0"/);
+  });
+});
+
+describe("imposed loads", () => {
+  it("are offered no permanent case, and get a variable one where there is none", () => {
+    expect(casesToChoose(FLOOR)).toEqual(["floor", "storage", "new load case"]);
+    expect(casesToChoose(FLOOR, true)).toEqual(["storage", "new load case"]);
+    for (const key of ["q", "k"]) {
+      const { after } = make(key, { case: "floor" });
+      const { name, action } = tables(after, "cases")[2]!;
+      expect(valueAt(after, ["moves", 0, "case"])).toBe(name);
+      expect(action).toBe("variable");
+    }
   });
 });
 

@@ -5,7 +5,10 @@ import { pressureOf } from "../../../../src/workbench/plan/fields";
 import { FORKLIFT } from "../../../../src/workbench/plan/generators/forklifts";
 import { VEHICLE } from "../../../../src/workbench/plan/generators/vehicle";
 
-const FLOOR: Table = { plate: { length_x: "24 m", length_y: "12 m" }, cases: [{ name: "traffic" }] };
+const FLOOR: Table = {
+  plate: { length_x: "24 m", length_y: "12 m" },
+  cases: [{ name: "traffic", action: "variable" }],
+};
 
 /** Return the wheels and the note of a vehicle with its initial values but for some. */
 function make(own: Record<string, string>) {
