@@ -57,7 +57,13 @@ describe("a drawing", () => {
   });
 
   it("needs a unit and an outline", () => {
-    const choice: DrawingChoice = { layers: { SLAB: "outline" }, unit: "mm", centered: false, gap: "1 mm", union: false };
+    const choice: DrawingChoice = {
+      layers: { SLAB: "outline" },
+      unit: "mm",
+      centered: false,
+      gap: "1 mm",
+      union: false,
+    };
     expect(findProblem(choice)).toBe("");
     expect(findProblem({ ...choice, layers: { SLAB: "columns" } })).toBe("Choose the layer with the outline.");
     expect(findProblem({ ...choice, unit: "" })).toContain("unit");
@@ -106,7 +112,13 @@ describe("the dialog", () => {
     submit();
     await closed;
     expect(document.querySelector("dialog")).toBeNull();
-    const choice = { layers: { SLAB: "outline", AXIS: "line_loads" }, unit: "cm", centered: false, gap: "1 mm", union: false };
+    const choice = {
+      layers: { SLAB: "outline", AXIS: "line_loads" },
+      unit: "cm",
+      centered: false,
+      gap: "1 mm",
+      union: false,
+    };
     expect(made).toEqual([choice, choice]);
   });
 });
