@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import mmap
 import os
 import signal
+import sys
 import threading
 import time
 from collections.abc import Callable
@@ -113,6 +115,28 @@ def large() -> bytes:
 def end() -> None:
     """End the process."""
     os._exit(3)
+
+
+def fill_and_crash(filled: str, seen: str) -> None:
+    """Take nearly all memory, wait until that is seen, and end as native code does that gets no more."""
+    import resource
+
+    most, _ = resource.getrlimit(resource.RLIMIT_AS)
+    used = int(Path("/proc/self/statm").read_text(encoding="ascii").split()[0]) * resource.getpagesize()
+    with mmap.mmap(-1, int(0.97 * (most - used))):
+        Path(filled).touch()
+        slow(seen)
+        crash()
+
+
+def crash() -> None:
+    """End as native code does that fails."""
+    os.kill(os.getpid(), signal.SIGSEGV)
+
+
+def has_numpy() -> bool:
+    """Return whether NumPy was loaded before this was called."""
+    return "numpy" in sys.modules
 
 
 def unusual() -> None:

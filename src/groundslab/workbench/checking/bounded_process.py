@@ -7,10 +7,12 @@ the process is replaced.
 from __future__ import annotations
 
 import errno
+import signal
 import threading
 import time
 import traceback
 from collections.abc import Callable
+from importlib import import_module
 from multiprocessing import connection
 from multiprocessing.connection import Connection
 from multiprocessing.reduction import ForkingPickler
@@ -29,6 +31,10 @@ START_LIMIT = 60.0
 GRACE = 0.5
 #: Interval at which a running call is checked for whether it is still needed [s].
 POLL_INTERVAL = 0.05
+#: How a process ends whose native code gets no memory: by a signal, SIGKILL being the system's, or as OpenBLAS ends it.
+_OUT_OF_MEMORY = {-signal.SIGSEGV, -signal.SIGABRT, -getattr(signal, "SIGBUS", 7), -getattr(signal, "SIGKILL", 9), 1}
+#: A process has used up its memory above this share of the most that it may have.
+FULL = 0.9
 
 
 class CallFailure(Exception):
@@ -60,6 +66,7 @@ class BoundedProcess:
         self._memory = memory
         self._call_lock = threading.Lock()
         self._process: ChildProcess | None = None
+        self._limit = self._most_used = 0  # of the process's address space [bytes]
         self._closed = False
 
     def call(
@@ -81,8 +88,7 @@ class BoundedProcess:
                 self._wait(seconds, needed, TimeLimit(f"longer than {seconds:g} s"))
                 succeeded, outcome = pipe.recv()
             except (EOFError, OSError) as error:
-                self._end()
-                raise ProcessEnded(str(error) or "the process ended") from None
+                raise self._why_ended(error) from None
             if not succeeded and isinstance(outcome, MemoryError | MemoryLimit):
                 self._end()  # the memory that is left is not known
                 raise MemoryLimit(str(outcome) or "more memory than there is") from None
@@ -108,7 +114,7 @@ class BoundedProcess:
         if self._process is None:
             self._process = ChildProcess("groundslab reader", _main, self._prepare, self._memory)
             self._wait(START_LIMIT, lambda: not self._closed, ProcessEnded("it cannot be started"))
-            self._process.pipe.recv()
+            self._limit, self._most_used = self._process.pipe.recv(), 0
         return self._process.pipe
 
     def _wait(self, seconds: float, needed: Callable[[], bool], timeout: Exception) -> None:
@@ -117,11 +123,30 @@ class BoundedProcess:
         sources: list[Any] = [self._process.pipe, self._process.sentinel]
         deadline, interrupted = time.monotonic() + seconds, False
         while not connection.wait(sources, POLL_INTERVAL):
+            self._most_used = max(self._most_used, _peak_memory(self._process.pid))
             if not interrupted and not needed():
                 interrupted, deadline = True, min(deadline, time.monotonic() + GRACE)
             if time.monotonic() > deadline:
                 self._end()
                 raise Interrupted if interrupted else timeout
+
+    def _why_ended(self, error: Exception) -> CallFailure:
+        """Return why the process has ended by itself, and free it.
+
+        Native code that gets no memory ends a process without a word. What the process took last tells.
+        """
+        process = self._process
+        if process is None or self._closed:
+            self._end()
+            return ProcessEnded("the server ends" if self._closed else str(error) or "the process ended")
+        process.join(GRACE)
+        code, used = process.exitcode, self._most_used
+        self._end()
+        how = f"exit code {code}" if code is None or code >= 0 else signal.Signals(-code).name
+        if code in _OUT_OF_MEMORY and used > FULL * self._limit:
+            return MemoryLimit(f"more than {self._memory / 1e9:g} GB ({how})")
+        more = ", perhaps for lack of memory" if code in _OUT_OF_MEMORY else ""
+        return ProcessEnded(f"the process ended ({how}{more})")
 
     def _end(self) -> None:
         """End the process, if there is one."""
@@ -135,12 +160,18 @@ def _main(pipe: Connection, prepare: Callable[[], object] | None, memory: int) -
     set_up_child()
     if prepare is not None:
         prepare()
+    # NumPy's BLAS reserves memory as it is loaded, and ends a process that gets none
+    import_module("numpy")
     exhausted = ForkingPickler.dumps((False, MemoryLimit(f"more than {memory / 1e9:g} GB")))  # made while there is room
-    _limit_memory(memory)
-    pipe.send("ready")
+    pipe.send(_limit_memory(memory))
     while True:
         try:
-            pipe.send_bytes(_call(pipe.recv_bytes(), exhausted))
+            try:
+                message = pipe.recv_bytes()
+            except MemoryError:
+                pipe.send_bytes(exhausted)
+                return  # the rest of the message is still in the pipe
+            pipe.send_bytes(_call(message, exhausted))
         except (EOFError, BrokenPipeError, ConnectionResetError):
             return
 
@@ -176,14 +207,25 @@ def _is_out_of_memory(error: Exception) -> bool:
     return isinstance(error, MemoryError) or (isinstance(error, OSError) and error.errno == errno.ENOMEM)
 
 
-def _limit_memory(more: int) -> None:
-    """Limit the process to so many bytes more than it uses, where the system supports that."""
+def _peak_memory(pid: int | None) -> int:
+    """Return the largest address space that a process has had [bytes], 0 where the system does not tell."""
+    try:
+        status = Path(f"/proc/{pid}/status").read_text(encoding="ascii", errors="replace")
+        return 1024 * int(status.partition("VmPeak:")[2].split(maxsplit=1)[0])
+    except (OSError, ValueError, IndexError):
+        return 0
+
+
+def _limit_memory(more: int) -> int:
+    """Limit the process to so many bytes more than it uses; return how many it may use, 0 where that is impossible."""
     try:
         import resource
 
         pages = int(Path("/proc/self/statm").read_text(encoding="ascii").split()[0])
     except (ImportError, OSError):
-        return
+        return 0
     _, most = resource.getrlimit(resource.RLIMIT_AS)
     limit = pages * resource.getpagesize() + more
-    resource.setrlimit(resource.RLIMIT_AS, (limit if most < 0 else min(limit, most), most))
+    limit = limit if most < 0 else min(limit, most)
+    resource.setrlimit(resource.RLIMIT_AS, (limit, most))
+    return limit

@@ -98,6 +98,29 @@ def test_a_call_has_a_limit_of_memory(process: BoundedProcess) -> None:
     assert process.call(max, 1, 2, seconds=PATIENCE) == 2
 
 
+@pytest.mark.skipif(not Path("/proc/self/statm").exists(), reason="memory is limited on Linux only")
+def test_native_code_that_ends_the_process(process: BoundedProcess, tmp_path: Path) -> None:
+    """A process that dies with its memory used up had too little; another one is told with how it ended."""
+    assert process.call(workers.has_numpy, seconds=PATIENCE)
+    with pytest.raises(ProcessEnded, match="SIGSEGV, perhaps for lack of memory"):
+        process.call(workers.crash, seconds=PATIENCE)
+    with pytest.raises(ProcessEnded, match="exit code 3"):
+        process.call(workers.end, seconds=PATIENCE)
+    filled, seen = tmp_path / "filled", tmp_path / "seen"
+
+    def needed() -> bool:
+        # by the time that it is asked again the process was looked at
+        if (tmp_path / "once").exists():
+            seen.touch()
+        if filled.exists():
+            (tmp_path / "once").touch()
+        return True
+
+    with pytest.raises(MemoryLimit, match=r"more than 1 GB \(SIGSEGV\)"):
+        process.call(workers.fill_and_crash, str(filled), str(seen), seconds=PATIENCE, needed=needed)
+    assert process.call(max, 1, 2, seconds=PATIENCE) == 2
+
+
 def test_a_call_that_is_not_wanted_is_ended(process: BoundedProcess, tmp_path: Path) -> None:
     """It is interrupted long before its limit; closing ends what is under way."""
     with pytest.raises(Interrupted):
