@@ -14,13 +14,14 @@ from __future__ import annotations
 
 import errno
 import os
+import platform
 import re
 import secrets
 import shutil
 import sys
 import time
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager, suppress
+from contextlib import ExitStack, contextmanager, suppress
 from hashlib import sha256
 from pathlib import Path
 
@@ -34,6 +35,8 @@ STALE = 3600.0
 PAUSES = (0.05, 0.1, 0.2, 0.4, 0.8) if sys.platform == "win32" else ()
 #: Bytes of a name that its helpers' names repeat; of longer names they hold the beginning and a checksum.
 LONGEST_STEM = 96
+#: Begins the random part of the names of partial folders: a machine knows its own.
+_HOST = sha256(platform.node().encode()).hexdigest()[:3]
 
 
 def write(path: Path, content: bytes, *, private: bool = False, new: bool = False) -> None:
@@ -105,18 +108,19 @@ def write_folder(
     ``ours`` says which paths below the folder ``fill`` could write. ``check`` is called just before the exchange and
     raises an error of its own if what is there may not be replaced.
     """
-    _sweep_folders(target, ours)
-    staging = helper(target, f"partial-{secrets.token_hex(4)}")
-    try:
-        target.parent.mkdir(parents=True, exist_ok=True)
-        staging.mkdir()
+    target.parent.mkdir(parents=True, exist_ok=True)
+    staging = helper(target, f"partial-{_HOST}{secrets.token_hex(8 - len(_HOST))[: 8 - len(_HOST)]}")
+    with ExitStack() as held:
+        with _locked(target.parent):
+            _sweep_folders(target, ours)
+            staging.mkdir()
+            held.callback(shutil.rmtree, staging, ignore_errors=True)
+            held.enter_context(_locked(staging))  # until this process ends, so that others see that it is alive
         fill(staging)
         _sync(staging)
         with _locked(target.parent):
             check()
             _replace_folder(staging, target)
-    finally:
-        shutil.rmtree(staging, ignore_errors=True)
 
 
 def recover_folder(target: Path, strangers: Callable[[Path], list[str]]) -> bool:
@@ -223,15 +227,32 @@ def _discard(previous: Path, target: Path) -> None:
 
 
 def _sweep_folders(target: Path, ours: Callable[[str], bool]) -> None:
-    """Remove partial folders next to the target that runs killed more than an hour ago have left."""
+    """Remove partial folders next to the target that killed runs have left, and that hold nothing of anybody else."""
     for path in _find_partial(target):
         with suppress(OSError):
             if path.is_dir() and not path.is_symlink():
                 entries = list(path.rglob("*"))
-                newest = max(entry.lstat().st_mtime for entry in (path, *entries))
                 files = (entry for entry in entries if entry.is_symlink() or not entry.is_dir())
-                if time.time() - newest > STALE and all(ours(file.relative_to(path).as_posix()) for file in files):
+                if _is_left(path, entries) and all(ours(file.relative_to(path).as_posix()) for file in files):
                     shutil.rmtree(path, ignore_errors=True)
+
+
+def _is_left(folder: Path, entries: list[Path]) -> bool:
+    """Return whether no process writes into a partial folder any more.
+
+    One of this machine holds a lock on it as long as it lives; where that cannot be known, an hour has to pass.
+    """
+    old = time.time() - max(entry.lstat().st_mtime for entry in (folder, *entries)) > STALE
+    if old or sys.platform == "win32" or f"partial-{_HOST}" not in folder.name:
+        return old
+    import fcntl
+
+    with _open_folder(folder) as handle:
+        try:
+            fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except OSError:
+            return False
+        return True
 
 
 def _find_partial(target: Path) -> list[Path]:

@@ -161,3 +161,31 @@ def test_only_what_could_be_ours_is_swept(tmp_path: Path) -> None:
         os.utime(half, (1, 1))
     atomic.write_folder(tmp_path / "raft", lambda folder: _fill(folder, b""), {"a", "b"}.__contains__, lambda: None)
     assert sorted(path.name for path in tmp_path.iterdir()) == [".raft.partial-11111111", "raft"]
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="there are no locks on folders")
+def test_what_a_killed_run_has_left_is_removed_by_the_next(tmp_path: Path) -> None:
+    """The partial folder of a killed process goes at once; that of one that still writes, and other files, stay."""
+    target = tmp_path / "raft"
+    words = "import os, pathlib, signal, sys; from groundslab.storage import atomic\n"
+    fill = "lambda folder: ((folder / 'data').write_text('half'), os.kill(os.getpid(), signal.SIGKILL))"
+    call = f"atomic.write_folder(pathlib.Path(sys.argv[1]), {fill}, {{'data'}}.__contains__, lambda: None)"
+    subprocess.run([sys.executable, "-c", words + call, str(target)], check=False)
+    (left,) = tmp_path.iterdir()
+    assert left.name.startswith(".raft.partial-")
+    mine = left.with_name(left.name[:-1] + ("0" if left.name[-1] != "0" else "1"))
+    mine.mkdir()
+    (mine / "thesis.txt").write_text("mine")
+
+    def write_other(folder: Path) -> None:
+        (folder / "data").write_text("other")
+
+    def fill_both(folder: Path) -> None:
+        (folder / "data").write_text("whole")
+        # another run begins while this one writes
+        atomic.write_folder(target, write_other, {"data"}.__contains__, lambda: None)
+        assert (folder / "data").read_text() == "whole"
+
+    atomic.write_folder(target, fill_both, {"data"}.__contains__, lambda: None)
+    assert sorted(path.name for path in tmp_path.iterdir()) == sorted([mine.name, "raft"])
+    assert (target / "data").read_text() == "whole"

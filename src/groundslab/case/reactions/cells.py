@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from groundslab.case.filled_rows import has_more_rows
 from groundslab.errors import InputError, Issue
 from groundslab.optional import import_optional
 from groundslab.schema.wording import describe, one_of, printable
@@ -159,6 +160,8 @@ def _read_sheets(openpyxl: Any, content: bytes, name: str) -> Iterator[Grid]:
     left = MOST_CELLS
     for values, formulas in zip(saved.worksheets, written.worksheets, strict=True):
         where = f"{name}, sheet {values.title}"
+        if has_more_rows(saved, values, MOST_ROWS):
+            raise _too_large(where, f"more than {MOST_ROWS:,} rows")
         for sheet in (values, formulas):
             sheet.reset_dimensions()  # what a program says of them may be wrong, and would cut off rows
         both = zip(values.iter_rows(values_only=True), formulas.iter_rows(values_only=True), strict=False)

@@ -59,6 +59,13 @@ def require_below(root: Path, path: Path, key: str) -> None:
         raise InputError([Issue(key, "the folder itself", "a name within it")])
 
 
+def require_same(root: Path, path: Path, key: str) -> None:
+    """Raise InputError if a full path leads elsewhere by now: links may have been put there since it was resolved."""
+    if resolve(root, str(path), key) != path:
+        hint = "a link was put into the path meanwhile; nothing was written"
+        raise InputError([Issue(key, describe(path.relative_to(root).as_posix()), "the same place as before", hint)])
+
+
 def _cases(root: Path) -> Iterator[str]:
     """Yield the TOML files in a folder and one below."""
     for pattern in ("*.toml", "*/*.toml"):

@@ -8,9 +8,12 @@ from pathlib import Path
 from typing import Annotated, Any
 
 import anyio
+from mcp.server.lowlevel.server import Server
 from mcp.server.mcpserver import Context, Image, MCPServer
-from mcp_types import CallToolResult, TextContent, ToolAnnotations
-from pydantic import Field
+from mcp.server.stdio import stdio_server
+from mcp.shared.message import SessionMessage
+from mcp_types import PARSE_ERROR, CallToolResult, ErrorData, JSONRPCError, TextContent, ToolAnnotations
+from pydantic import Field, ValidationError
 
 from groundslab._version import __version__
 from groundslab.model.loads.load_cases import LimitState
@@ -24,6 +27,9 @@ groundslab analyzes plates on the ground: rafts, pads, industrial floors. A case
 Check it, solve it, then read checks, tables and figures of the results. A result is to be used only if it is certified,
 and a certificate is no approval of a design. Forces, moments and pressures have units; those in documents are SI."""
 
+#: So many processes run at once; further calls wait.
+MOST_PROCESSES = 4
+
 Case = Annotated[str, Field(description="case file (TOML), relative to the server's folder")]
 Results = Annotated[str, Field(description="folder of results that solve has written, relative to the server's folder")]
 Full = Annotated[bool, Field(description="whether to return every figure and calculation, which may be very long")]
@@ -31,11 +37,12 @@ Line = Annotated[list[float], Field(min_length=4, max_length=4, description="x1,
 
 
 class Tools:
-    """The tools for one folder; one case is solved at a time."""
+    """The tools for one folder; one case is solved at a time, and few processes are there at once."""
 
     def __init__(self, root: Path) -> None:
         self._root = root
         self._solving = anyio.Lock()
+        self._processes = anyio.CapacityLimiter(MOST_PROCESSES)
 
     async def check(self, case: Case, context: Context) -> Annotated[CallToolResult, shapes.CheckedFile]:
         """Read a case file and list all its issues, each with what was found, what is expected, and a hint.
@@ -92,7 +99,7 @@ class Tools:
             "mesh": mesh,
         }  # fmt: skip
         try:
-            name, content = await run(tasks.plot, self._root, results, file, request, tell=_telling(context))
+            name, content = await self._run(context, tasks.plot, results, file, request)
         except TaskRefused as refused:
             return _refuse(refused.document)
         picture = [Image(data=content, format="png").to_image_content()] if content else []
@@ -101,11 +108,16 @@ class Tools:
     async def _answer(self, context: Context, task: Callable[..., Any], *arguments: Any) -> CallToolResult:
         """Return the document of a task, or that of its error."""
         try:
-            document = await run(task, self._root, *arguments, tell=_telling(context))
+            document = await self._run(context, task, *arguments)
         except TaskRefused as refused:
             return _refuse(refused.document)
         text = _to_text(document)
         return CallToolResult(content=[TextContent(type="text", text=text)], structured_content=json.loads(text))
+
+    async def _run(self, context: Context, task: Callable[..., Any], *arguments: Any) -> Any:
+        """Return what a task returns; it waits until there are fewer processes than the most."""
+        async with self._processes:
+            return await run(task, self._root, *arguments, tell=_telling(context))
 
 
 def create_server(root: Path) -> MCPServer:
@@ -124,7 +136,37 @@ def create_server(root: Path) -> MCPServer:
 
 def serve(root: Path) -> None:
     """Serve a folder on standard input and output until the input ends."""
-    create_server(root).run("stdio")
+    anyio.run(_serve, create_server(root)._lowlevel_server)
+
+
+async def _serve(server: Server[Any]) -> None:
+    """Serve on standard input and output; a request that cannot be read, as by a lone surrogate, is answered, too."""
+    async with stdio_server() as (requests, answers), anyio.create_task_group() as group:
+        readable_in, readable = anyio.create_memory_object_stream[SessionMessage | Exception]()
+
+        async def sort_out() -> None:
+            async with readable_in:
+                async for request in requests:
+                    refusal = _unreadable(request) if isinstance(request, Exception) else None
+                    await (readable_in.send(request) if refusal is None else answers.send(refusal))
+
+        group.start_soon(sort_out)
+        await server.run(readable, answers, server.create_initialization_options())
+
+
+def _unreadable(error: Exception) -> SessionMessage | None:
+    """Return the answer to a request that is no JSON as the protocol has it, None where it has no identifier."""
+    lines = [each["input"] for each in error.errors()] if isinstance(error, ValidationError) else []
+    try:
+        number = json.loads(lines[0])["id"]
+    except (IndexError, KeyError, TypeError, ValueError, RecursionError):
+        return None
+    if not isinstance(number, int | str) or (isinstance(number, str) and not number.isascii()):
+        return None
+    said = ErrorData(
+        code=PARSE_ERROR, message="the request cannot be read: found text that is no Unicode, such as half of a letter"
+    )
+    return SessionMessage(JSONRPCError(jsonrpc="2.0", id=number, error=said))
 
 
 def _telling(context: Context) -> Callable[[str], Any]:

@@ -15,7 +15,13 @@ from groundslab.case import casefile
 from groundslab.errors import EditedFilesKept, GroundslabError, InputError, Issue, NotCertified
 from groundslab.study.check import check_case, refuse_file
 from groundslab.views.interface import documents
-from groundslab.workbench.assistants.confinement import require_below, resolve, resolve_case, resolve_results
+from groundslab.workbench.assistants.confinement import (
+    require_below,
+    require_same,
+    resolve,
+    resolve_case,
+    resolve_results,
+)
 
 if TYPE_CHECKING:
     from groundslab.model.loads.load_cases import Combination
@@ -65,6 +71,7 @@ def solve(tell: Tell, root: Path, case: str, out: str, full: bool) -> dict[str, 
     summary = to_json(results)
     if results.results or results.without_equilibrium or any(map(_is_inspected, results.unsolved.values())):
         tell("results are written")
+        require_same(root, target, "out")
         with warnings.catch_warnings(record=True, action="always", category=EditedFilesKept) as kept:
             results_folder.save_results(results, target)
         summary["remarks"] += [str(warning.message) for warning in kept]
@@ -97,7 +104,9 @@ def plot(_: Tell, root: Path, results: str, file: str, request: dict[str, Any]) 
     if folder in target.parents:
         raise InputError([Issue("file", "a place inside the folder of results", "a place outside it")])
     export.check(target)
-    plots.write(parse_request(load_results(folder), **request), target)
+    parsed = parse_request(load_results(folder), **request)
+    require_same(root, target, "file")
+    plots.write(parsed, target)
     content = target.read_bytes() if target.suffix.lower() == ".png" else b""
     return target.relative_to(root).as_posix(), content if len(content) <= MAX_PICTURE else b""
 

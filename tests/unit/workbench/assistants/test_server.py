@@ -5,6 +5,7 @@ from __future__ import annotations
 import base64
 import json
 import os
+import subprocess
 import sys
 from collections.abc import Awaitable, Callable
 from pathlib import Path
@@ -13,15 +14,18 @@ from typing import Any
 import pytest
 
 from groundslab.cli import main
+from groundslab.errors import InputError
+from groundslab.views.files import results_folder
 from helpers import asgi, small_case, workers
 from helpers.paths import DOCS, ROOT
 
 pytest.importorskip("mcp")
 import anyio
+import anyio.lowlevel
 from mcp import Client, MCPError
 from mcp.client.stdio import StdioServerParameters
 
-from groundslab.workbench.assistants import tasks
+from groundslab.workbench.assistants import server, tasks
 from groundslab.workbench.assistants.process import TaskRefused, run
 
 #: A slab that takes long enough to be cancelled: a fine mesh, of which the first step is told early.
@@ -160,6 +164,91 @@ def test_hostile_paths(root: Path, tmp_path: Path) -> None:
     assert '"issues": [{' in answers[5].content[0].text
     assert "secret" not in document(answers[5])["issues"][0]["found"]
     assert sorted(outside.rglob("*")) == before
+
+
+@pytest.mark.slow
+def test_a_link_that_is_put_into_a_path_meanwhile(root: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Where a folder becomes a link that leads out while a case is solved or drawn, nothing is written."""
+    outside = tmp_path / "outside"
+    outside.mkdir()
+
+    def swap(name: str) -> None:
+        if (root / name).is_dir() and not (root / name).is_symlink():
+            (root / name).rename(root / f"{name}-before")
+            (root / name).symlink_to(outside)
+
+    (root / "deep").mkdir()
+    with pytest.raises(InputError, match="out: found"):
+        tasks.solve(lambda _: swap("deep"), root, "slab.toml", "deep/results", False)
+    tasks.solve(lambda _: None, root, "slab.toml", "", False)
+    (root / "figures").mkdir()
+    load = results_folder.load_results
+
+    def load_slowly(folder: Path) -> Any:
+        swap("figures")
+        return load(folder)
+
+    monkeypatch.setattr(results_folder, "load_results", load_slowly)
+    request = dict.fromkeys(("kind", "envelope", "line"), None) | {"fields": ["w"], "combination": [], "mesh": False}
+    with pytest.raises(InputError, match="file: found"):
+        tasks.plot(lambda _: None, root, "slab-results", "figures/w.png", request)
+    assert list(outside.iterdir()) == []
+
+
+@pytest.mark.slow
+def test_a_request_with_half_a_letter_is_answered(root: Path) -> None:
+    """A lone surrogate in a request, which no JSON may hold, is an error with the number of the request."""
+    path = os.pathsep.join(filter(None, [str(ROOT / "src"), os.environ.get("PYTHONPATH", "")]))
+    about = {"protocolVersion": "2025-06-18", "capabilities": {}, "clientInfo": {"name": "test", "version": "1"}}
+    requests = [
+        json.dumps({"jsonrpc": "2.0", "id": 1, "method": "initialize", "params": about}),
+        json.dumps({"jsonrpc": "2.0", "method": "notifications/initialized"}),
+        r'{"jsonrpc": "2.0", "id": 2, "method": "tools/call", "params": '
+        r'{"name": "check", "arguments": {"case": "\ud800.toml"}}}',
+        json.dumps({"jsonrpc": "2.0", "id": 3, "method": "tools/list"}),
+    ]
+    command = [sys.executable, "-m", "groundslab", "mcp", str(root)]
+    environment = os.environ | {"PYTHONPATH": path}
+    with subprocess.Popen(
+        command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, encoding="utf-8", env=environment
+    ) as server:
+        assert server.stdin is not None
+        assert server.stdout is not None
+        answers: dict[int, dict[str, Any]] = {}
+        server.stdin.write("".join(f"{request}\n" for request in requests))
+        server.stdin.flush()
+        while len(answers) < 3:
+            answer = json.loads(server.stdout.readline())
+            answers[answer["id"]] = answer
+        server.stdin.close()
+    assert answers[2]["error"]["code"] == -32700
+    assert "half of a letter" in answers[2]["error"]["message"]
+    assert len(answers[3]["result"]["tools"]) == 5
+
+
+def test_few_processes_run_at_once(root: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Of a dozen calls four run, and the others wait; none is lost."""
+    now = most = done = 0
+
+    async def count(*_: object, **__: object) -> str:
+        nonlocal now, most, done
+        now += 1
+        most = max(most, now)
+        for _turn in range(5):
+            await anyio.lowlevel.checkpoint()
+        now, done = now - 1, done + 1
+        return "done"
+
+    monkeypatch.setattr(server, "run", count)
+
+    async def call() -> None:
+        tools = server.Tools(root)
+        async with anyio.create_task_group() as group:
+            for _ in range(12):
+                group.start_soon(tools._run, None, print)
+
+    asgi.run(call())
+    assert (most, done) == (server.MOST_PROCESSES, 12)
 
 
 @pytest.mark.slow

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from groundslab.case.filled_rows import has_more_rows
 from groundslab.case.saf.units import heading_key, heading_unit
 from groundslab.errors import InputError, Issue
 from groundslab.optional import import_optional
@@ -93,6 +94,8 @@ def _sheets_of(book: Any, path: str, names: frozenset[str]) -> tuple[dict[str, l
         if name is None:
             others[sheet.title.strip()] = max((sheet.max_row or 1) - 1, 0)
             continue
+        if has_more_rows(book, sheet, MOST_ROWS):
+            raise InputError([Issue(f"{path}, sheet {name}", f"more than {MOST_ROWS:,} rows", "fewer")])
         rows = sheets.setdefault(name, [])
         for row in _rows_of(sheet, name, path):
             cells += len(row.cells)
