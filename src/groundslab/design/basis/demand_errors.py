@@ -15,6 +15,7 @@ from groundslab.results.results import CombinationResult
 
 #: Design moments and stresses have errors as moments have.
 MOMENT = "moment_x"
+MOMENTS = ("moment_x", "moment_y")
 
 
 def scaled(error: float | None, scale: float) -> float | None:
@@ -69,6 +70,18 @@ def error_of_ratio(judged: Iterable[tuple[float, float, Callable[[], float | Non
     ratios = [(demand / resistance, error(), resistance) for demand, resistance, error in judged]
     most = [used + error / resistance for used, error, resistance in ratios if error is not None]
     return max(most) - max(used for used, _, _ in ratios) if len(most) == len(ratios) else None
+
+
+def moment_errors(results: CombinationResult) -> dict[str, Array]:
+    """Return the estimated errors (n,) [N m/m] of m_x and m_y, each with the twist's; 0 without a coarser mesh."""
+    now, coarser = results.plate, results.coarser
+    if coarser is None or results.comparison is None:
+        return dict.fromkeys(MOMENTS, np.zeros(len(now.nodes)))
+    before = coarser.plate
+    twist = estimate_errors(results, MOMENT, now.moment_xy, before.moment_xy)
+    return {
+        name: twist + estimate_errors(results, MOMENT, getattr(now, name), getattr(before, name)) for name in MOMENTS
+    }
 
 
 def greatest_moments(results: CombinationResult) -> DesignMoments | None:

@@ -11,6 +11,7 @@ import numpy as np
 
 from groundslab.arrays import Array
 from groundslab.design.basis.combinations import ultimate_results
+from groundslab.design.basis.demand_errors import moment_errors
 from groundslab.design.basis.design_code import DesignCode
 from groundslab.design.basis.detailing_rule import DetailingRule
 from groundslab.design.codes import code_of
@@ -27,10 +28,12 @@ from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.model.model import Model
 from groundslab.model.plates.region import get_plate_region
 from groundslab.results.fields import LAYERS, place_of
-from groundslab.results.results import Results
+from groundslab.results.results import CombinationResult, Results
 
 #: Proposals one after the other, as bars lie deeper than was counted on.
 MOST_ROUNDS = 10
+#: A face may be in tension where its moment is less than this share of the largest one on the other side of none.
+NEAR_TENSION = 0.02
 #: What counts as rounding, relative.
 ROUNDING = 1e-9
 
@@ -44,8 +47,8 @@ class BarProposal:
     model : Model
         The case with these bars in place of its own, and with detailing.
     required : dict of str to float
-        By layer, what is required at the points of the mesh over the plan, without minimum where a face is never in
-        tension [m3].
+        By layer, what is required at the points of the mesh over the plan, without minimum where a face is surely
+        never in tension [m3].
     laid : dict of str to float
         By layer, the steel of base and zones over the plan, anchorage of zones included, laps not [m3].
     links : tuple of LinkLayout
@@ -70,8 +73,9 @@ class BarProposal:
 def propose_bars(results: Results) -> BarProposal:
     """Propose bars for a slab: a base in each layer and zones of additional bars, with little steel.
 
-    What bending and the minimum require at the points of the mesh in ultimate combinations is covered everywhere, with
-    the shift of moments and the anchorage of the zones' bars; where the case limits crack widths, these too. The bars
+    What bending and the minimum require at the points of the mesh in ultimate combinations is covered everywhere, the
+    minimum also where a face may be in tension on another mesh, with the shift of moments and the anchorage of the
+    zones' bars; where the case limits crack widths, these too. The bars
     are those that ``reinforcement.proposal`` allows; those that the case has are not looked at.
 
     Parameters
@@ -185,7 +189,10 @@ def _steel_and_code(results: Results) -> tuple[Reinforcement, DesignCode]:
 
 
 def _requirements(results: Results, steel: Reinforcement) -> dict[str, Array]:
-    """Return what bending and the minimum require (n,) [m2/m] by layer over the ultimate combinations."""
+    """Return what bending and the minimum require (n,) [m2/m] by layer over the ultimate combinations.
+
+    The minimum is required where a face may be in tension, as on another mesh it may be.
+    """
     required = required_areas(steel, ultimate_results(results))
     plate = ultimate_results(results)[0].plate
     rule = code_of(steel).detailing
@@ -195,7 +202,26 @@ def _requirements(results: Results, steel: Reinforcement) -> dict[str, Array]:
         needs[layer] = largest_areas(required, layer)[0]
         if np.isinf(needs[layer]).any():
             _refuse(layer, needs[layer], plate.nodes, steel, rule)
+    for result in ultimate_results(results):
+        for layer, least in _least_areas(result, steel).items():
+            needs[layer] = np.maximum(needs[layer], least)
     return needs
+
+
+def _least_areas(result: CombinationResult, steel: Reinforcement) -> dict[str, Array]:
+    """Return the minimum (n,) [m2/m] by layer where the moments of a face, or their errors, may put it in tension."""
+    plate = result.plate
+    thickness, _ = result.elements.at_nodes(plate)
+    minimum = code_of(steel).bending(steel, result.limit_state).minimum
+    errors = moment_errors(result)
+    found = {}
+    for layer in LAYERS:
+        name = f"moment_{layer[-1]}"
+        moment, twist = getattr(plate, name), np.abs(plate.moment_xy)
+        tension = (moment if layer.startswith("bottom") else -moment) + twist
+        margin = errors[name] + NEAR_TENSION * float((np.abs(moment) + twist).max())
+        found[layer] = np.where(tension + margin > 0, minimum(thickness - axis_of(steel, layer), thickness), 0.0)
+    return found
 
 
 def _refuse(layer: str, needs: Array, nodes: Array, steel: Reinforcement, rule: DetailingRule) -> LayerProposal:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -52,6 +52,8 @@ class DesignAlternative:
         The worst status of any check.
     notes : tuple of str
         What a reader must know about it.
+    within_error : dict of str to float
+        Of each kind of check whose verdict hangs on the discretization error, the largest utilization within it.
     """
 
     name: str
@@ -65,6 +67,14 @@ class DesignAlternative:
     settlement: float
     status: str
     notes: tuple[str, ...] = ()
+    within_error: dict[str, float] = field(default_factory=dict)
+
+    @property
+    def verdict(self) -> str:
+        """Return the status, and whether it hangs on the discretization error that nothing exceeds its limit."""
+        return (
+            self.status if self.status == "fails" or not self.within_error else f"{self.status}, but within the error"
+        )
 
 
 @dataclass(frozen=True, slots=True)
@@ -228,6 +238,7 @@ def _measure(proposal: Proposal, text: str, results: Results, remarks: tuple[str
             *remarks,
             *(f"no links at {layout.name}: {layout.why}" for layout in layouts if not layout.perimeters),
         ),
+        within_error=_within_error(design),
     )
 
 
@@ -237,6 +248,15 @@ def _utilizations(design: Design) -> dict[str, float]:
     for check in design.checks:
         if check.utilisation is not None:
             largest[check.name] = max(check.utilisation, largest.get(check.name, 0.0))
+    return largest
+
+
+def _within_error(design: Design) -> dict[str, float]:
+    """Return the largest utilization within the error of each kind of check whose verdict hangs on it."""
+    largest = dict[str, float]()
+    for check in design.hanging:
+        if check.between is not None:
+            largest[check.name] = max(check.between[1], largest.get(check.name, 0.0))
     return largest
 
 

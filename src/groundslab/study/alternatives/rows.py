@@ -18,7 +18,10 @@ if TYPE_CHECKING:
 DIGITS = 4
 #: What stands where links do not suffice.
 NOT_ENOUGH = "not enough"
-UTILIZATION_NOTE = "Below the quantities: the largest utilization of each kind of check; above 1 it exceeds its limit."
+UTILIZATION_NOTE = (
+    "Below the quantities: the largest utilization of each kind of check; above 1 it exceeds its limit. "
+    "Where the verdict hangs on the discretization error, as far as the error reaches."
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,8 +38,9 @@ def rows(comparison: DesignComparison) -> list[ComparedRow]:
     """Return the outcome, the quantities and the utilizations of all alternatives."""
     alternatives = comparison.alternatives
     statuses = tuple(alternative.status for alternative in alternatives)
+    verdicts = tuple(alternative.verdict for alternative in alternatives)
     return [
-        ComparedRow("outcome", "", statuses, tuple(status == "fails" for status in statuses)),
+        ComparedRow("outcome", "", verdicts, tuple(status == "fails" for status in statuses)),
         *_quantities(comparison),
         *(_utilization(alternatives, name) for name in _checks(alternatives)),
     ]
@@ -76,7 +80,11 @@ def _checks(alternatives: tuple[DesignAlternative, ...]) -> list[str]:
 
 def _utilization(alternatives: tuple[DesignAlternative, ...], name: str) -> ComparedRow:
     values = [alternative.utilizations.get(name) for alternative in alternatives]
-    cells = tuple("" if value is None else f"{value:.2f}" for value in values)
+    most = [alternative.within_error.get(name) for alternative in alternatives]
+    cells = tuple(
+        "" if value is None else f"{value:.2f}" if high is None else f"{value:.2f} to {high:.2f}"
+        for value, high in zip(values, most, strict=True)
+    )
     return ComparedRow(name, "", cells, tuple(value is not None and value > 1 for value in values))
 
 
@@ -124,6 +132,7 @@ def to_json(comparison: DesignComparison) -> dict[str, Any]:
                 "places_of_links": each.places_of_links,
                 "settlement": each.settlement,
                 "utilizations": each.utilizations,
+                "within_error": each.within_error,
                 "notes": list(each.notes),
             }
             for each in comparison.alternatives

@@ -144,6 +144,37 @@ def test_narrow_cracks_take_more_steel() -> None:
 
 
 @pytest.mark.slow
+def test_least_bars_are_where_a_face_may_be_in_tension() -> None:
+    """A top compressed by 1 % of the largest moment may be in tension on another mesh, one by 10 % not.
+
+    Bars that were proposed for no tension at the top lacked the minimum there once the case was solved on another mesh.
+    """
+    steel = {"concrete": "C30/37", "steel": "B500B", "bottom": (0.05, 0.066), "top": (0.05, 0.066)}
+    model = Model(
+        plate={"length_x": 4, "length_y": 4, "thickness": 0.8, "E": 33e9, "nu": 0.2},
+        ground={"kind": "winkler", "k": 40e6},
+        cases=[{"name": "G"}],
+        loads=[{"kind": "uniform", "q": 20e3, "case": "G"}],
+        combinations=[{"name": "U", "factors": {"G": 1.0}}],
+        reinforcement=steel,
+        mesh={"size": 1.0},
+    )
+    solved = solve(model)
+    (result,) = solved.results.values()
+    count = len(result.plate.nodes)
+    peak = np.where(np.arange(count) == 0, 100e3, 0.0)
+    for share, least in ((0.01, 0.26 * 2.8965 / 500 * 0.75), (0.1, 0.0)):
+        m = np.maximum(peak, share * 100e3)
+        plate = replace(result.plate, moment_x=m, moment_y=m, moment_xy=np.zeros(count))
+        changed = replace(solved, results={"U": replace(result, plate=plate, comparison=None)})
+        proposed = propose_bars(changed)
+        # all but where the largest moment is
+        expected = least * float(plate.area[1:].sum())
+        assert proposed.required["top_x"] == pytest.approx(expected, rel=1e-4)
+        laid = laid_bars(proposed.reinforcement, "top_x", plate.nodes).area
+        assert (laid >= least).all()
+
+
 def test_zones_reach_beyond_their_need_by_anchorage() -> None:
     """At each node of a zone the excess over the base is anchored: the zone's end is (excess / area) l_bd + a_l away.
 
@@ -176,7 +207,7 @@ def test_zones_reach_beyond_their_need_by_anchorage() -> None:
 def test_house_raft_takes_little_steel() -> None:
     """The raft of a house: bars and anchorage against what its points require, at least the minimum, over the plan.
 
-    With bars from 8 mm, up to eight zones, from 0.5 m, within 15 %; with the defaults within 22 %.
+    With bars from 8 mm, up to eight zones, from 0.5 m, within 18 %; with the defaults within 22 %.
     """
     model = groundslab.load(EXAMPLES / "house_raft.toml")
     bare = dict.fromkeys(("bottom_x", "bottom_y", "top_x", "top_y", "w_max"))
@@ -189,7 +220,7 @@ def test_house_raft_takes_little_steel() -> None:
     )
     results = solve(model)
     fine = groundslab.AllowedBars(diameters=(0.008, 0.010, 0.012), least_size=0.5, least_saving=0, most_zones=8)
-    for allowed, most in ((groundslab.AllowedBars(), 1.22), (fine, 1.15)):
+    for allowed, most in ((groundslab.AllowedBars(), 1.22), (fine, 1.18)):
         assert model.reinforcement is not None
         steel = model.reinforcement.model_copy(update={"proposal": allowed})
         of_case = replace(results, model=model.model_copy(update={"reinforcement": steel}))

@@ -314,3 +314,26 @@ def test_a_model_is_compared_like_its_file(tmp_path: Path) -> None:
     path = tmp_path / "raft.toml"
     path.write_text(casefile.to_toml(model), encoding="utf-8")
     assert compare_designs(model) == compare_designs(path)
+
+
+def test_what_hangs_on_the_error_is_told() -> None:
+    """0.93 that may be 2.91 within the error of a draft is no bare 0.93."""
+    about = {
+        "words": "",
+        "text": "",
+        "concrete": 1.0,
+        "bars": 1.0,
+        "links": 0.0,
+        "places_of_links": 0,
+        "settlement": 0.0,
+    }
+    sure = DesignAlternative(name="a", utilizations={"bars": 0.9}, status="no failure found", **about)
+    open_ = replace(sure, name="b", within_error={"bars": 2.91}, utilizations={"bars": 0.93})
+    failing = replace(open_, name="c", status="fails")
+    assert [each.verdict for each in (sure, open_, failing)] == [
+        "no failure found", "no failure found, but within the error", "fails"
+    ]  # fmt: skip
+    compared = DesignComparison(casefile.loads(PLAIN, "plain"), (sure, open_, failing))
+    last = rows(compared)[-1]
+    assert (last.label, last.cells) == ("bars", ("0.90", "0.93 to 2.91", "0.93 to 2.91"))
+    assert to_json(compared)["alternatives"][1]["within_error"] == {"bars": 2.91}
