@@ -72,15 +72,7 @@ def read(
     context = ReadContext(str(path), gap=gap)
     document = open_drawing(context.path)
     set_unit(document, unit, context)
-    if isinstance(layers, Mapping):
-        roles = name_roles(layers, context)
-        entities = _entities(document, roles, context)
-        check_named_layers(document, layers, entities, context)
-    else:
-        layers = layers or Layers()
-        roles = assign_roles(layers, context)
-        entities = _entities(document, roles, context)
-        check_layers(document, layers, roles, entities, context)
+    roles, entities = _find_entities(document, layers, context)
     texts = {role: _texts(entities[role], DIMENSION[role], context) for role in WITH_VALUE}
     lines, points = _lines(entities, context)
     tolerance = _tolerance(lines, points)
@@ -125,6 +117,22 @@ def read(
     if size := drawing.remark_on_size:
         drawing = replace(drawing, report=(*drawing.report, ReportLine("", "HEADER", "", False, size)))
     return drawing
+
+
+def _find_entities(
+    document: Document, layers: Layers | Mapping[str, str] | None, context: ReadContext
+) -> tuple[Roles, dict[str, list[tuple[Source, DXFEntity]]]]:
+    """Return what layers hold, and the entities on them by role; faults of layers are the context's."""
+    if isinstance(layers, Mapping):
+        roles = name_roles(layers, context)
+        entities = _entities(document, roles, context)
+        check_named_layers(document, layers, entities, context)
+    else:
+        layers = layers or Layers()
+        roles = assign_roles(layers, context)
+        entities = _entities(document, roles, context)
+        check_layers(document, layers, roles, entities, context)
+    return roles, entities
 
 
 def parse_gap(text: str) -> float:
