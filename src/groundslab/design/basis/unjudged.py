@@ -37,7 +37,7 @@ SUPPORT_INSIDE = Unjudged(
 NO_PERIMETER = Unjudged("no-perimeter", "move the openings or the load, or design the slab there by hand")
 #: Punching: a column pulls at the slab in an ultimate combination, or a pile does, or it only turns the slab.
 PULLS = Unjudged("pulls-or-turns", "tie it to the far face of the slab, and check punching the other way by hand")
-#: Equilibrium: the plate is glued to the ground, so that forces alone do not tell whether it lifts off.
+#: Equilibrium: glued ground pulls so that its force has no place under the plate, but supports might do without.
 GLUED = Unjudged("glued-to-the-ground", "set contact.tensionless = true")
 #: A combination has no certified result.
 UNSOLVED = Unjudged("no-certified-result", "see why it was not solved, and solve it again")

@@ -7,17 +7,22 @@ those downwards (expression 2.8). Combinations for which the program found no re
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
 from typing import Any, NamedTuple
 
+import numpy as np
+
 from groundslab.design.basis.calculation import MEGA, Step
 from groundslab.design.basis.check import ROUNDING, DesignCheck, Status, not_judged, some
-from groundslab.design.basis.combinations import solved_results
+from groundslab.design.basis.combinations import solved_results, ultimate_results
 from groundslab.design.basis.unjudged import GLUED, UNSOLVED
+from groundslab.design.by_plate import results_by_plate
 from groundslab.design.demands.loads import column_loads
 from groundslab.design.demands.perimeters import outline
 from groundslab.model.loads.load_cases import Combination
-from groundslab.results.results import Results
+from groundslab.results.fields import place_of
+from groundslab.results.results import CombinationResult, Results
 
 #: Name and clause of the check of each limit state that is about equilibrium alone.
 _CHECKS = {
@@ -38,6 +43,8 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
         made = [combination for combination in combined.combinations if combination.limit_state == state]
         if made and state not in failed and any(combination.name in combined.results for combination in made):
             yield _balanced(combined, made)
+    if not combined.model.contact.tensionless:
+        yield from _pulling_ground(combined)
     if combined.unsolved:
         yield not_judged("unsolved combinations", UNSOLVED, f"no certified result of {some(list(combined.unsolved))}")
 
@@ -55,10 +62,11 @@ def _failure(combined: Results, combination: Combination) -> DesignCheck:
 
 
 def _balanced(combined: Results, made: list[Combination]) -> DesignCheck:
-    """Return the check that no combination lacks equilibrium; ground that is glued to the plate holds nothing here."""
+    """Return the check that no combination lacks equilibrium, in which ground that pulls counts for nothing."""
     name, clause = _CHECKS[made[0].limit_state]
     solved = [combination for combination in made if combination.name in combined.results]
     numbers = _uplift(combined, solved) if made[0].limit_state == "uplift" else {}
+    names = [combination.name for combination in solved]
     words = f"all {len(made)} combinations are in equilibrium"
     if len(made) == 1:
         words = "the combination is in equilibrium"
@@ -67,10 +75,68 @@ def _balanced(combined: Results, made: list[Combination]) -> DesignCheck:
     status: Status = "no failure found"
     if numbers and numbers["demand"] > numbers["resistance"] * (1 + ROUNDING):
         status, words = "fails", "actions upwards exceed those downwards"
-    elif not (numbers or combined.model.contact.tensionless):
-        words = "the plate is glued to the ground, which holds it against any load"
-        return not_judged(name, GLUED, words, clause=clause, foundation=True)
+    elif lost := [result.combination for result in _glued(combined) if result.combination in names and _lost(result)]:
+        words = f"only ground that pulls at the plate, to which it is glued, balances {some(lost)}"
+        if combined.model.supports or combined.model.plates:
+            return not_judged(name, GLUED, words, clause=clause, foundation=True)
+        status, numbers = "fails", numbers or {"combination": lost[0]}
     return DesignCheck(name, status, words, clause=clause, foundation=True, **numbers)
+
+
+def _glued(combined: Results) -> list[CombinationResult]:
+    """Return the results of a plate that is glued to the ground, none where the ground only presses."""
+    return [] if combined.model.contact.tensionless else solved_results(combined)
+
+
+def _lost(results: CombinationResult) -> bool:
+    """Return whether the ground's force under any plate has no place under it, so that pressure alone is none.
+
+    What the supports carry is taken as it is: other forces of theirs might do without ground that pulls.
+    """
+    from shapely import Point
+
+    for plate in results_by_plate(results).values():
+        f, hull = plate.contact_force, outline(plate).convex_hull
+        force, moments = float(f.sum()), f @ plate.nodes
+        rounding, length = ROUNDING * float(np.abs(f).sum()), math.sqrt(hull.area)
+        if abs(force) <= rounding:
+            under = bool(np.abs(moments).max() <= rounding * length)
+        else:
+            under = force > 0 and hull.buffer(ROUNDING * length).contains(Point(moments / force))
+        if not under:
+            return True
+    return False
+
+
+def _pulling_ground(combined: Results) -> Iterator[DesignCheck]:
+    """Yield where glued ground pulls most in what is designed for, or in any combination that only it balances."""
+    results = [result for result in _glued(combined) if result.limit_state not in _CHECKS]
+    lost = [result for result in results if _lost(result)]
+    pulled = [
+        result for result in lost or ultimate_results(combined) if _pull(result) > ROUNDING * result.certificate.load
+    ]
+    if not pulled:
+        return
+    worst = max(pulled, key=_pull)
+    plate = worst.plate
+    k = int(np.argmin(plate.pressure))
+    share = float(plate.area[plate.contact_force < 0].sum() / plate.area.sum())
+    words = (
+        f'in "{worst.combination}" the ground pulls at {100 * share:.3g} % of the area, with up to '
+        f"{-plate.pressure[k] / 1e3:.4g} kPa at ({plate.nodes[k, 0]:.3f}, {plate.nodes[k, 1]:.3f}) m"
+    )
+    held = combined.model.supports or combined.model.plates
+    status: Status = "fails" if lost and not held else "attention"
+    more = "only that balances the loads" if status == "fails" else GLUED.do
+    yield DesignCheck(
+        "ground in tension", status, f"{words}; {more}", combination=worst.combination,
+        place=place_of(plate.nodes, k), foundation=True,
+    )  # fmt: skip
+
+
+def _pull(results: CombinationResult) -> float:
+    """Return the force with which the ground pulls [N]."""
+    return -float(np.minimum(results.plate.contact_force, 0.0).sum())
 
 
 def _uplift(combined: Results, made: list[Combination]) -> dict[str, Any]:

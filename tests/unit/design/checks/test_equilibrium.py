@@ -26,7 +26,8 @@ def uplift(q: float, **changes: Any) -> DesignCheck:
         "loads": [WEIGHT, {"kind": "uniform", "q": -q, "case": "water"}],
         "combine": {"sets": ["uplift", "quasi-permanent"]},
     }
-    (check,) = check_design(solve(Model(**SLAB | parts | changes))).checks
+    checks = check_design(solve(Model(**SLAB | parts | changes))).checks
+    (check,) = [check for check in checks if check.name == "uplift by actions"]
     return check
 
 
@@ -52,6 +53,48 @@ def test_glued_ground_hides_no_uplift() -> None:
     assert uplift(6e3, contact={"tensionless": False}).status == "no failure found"
     supports = [{"kind": "point", "x": 0, "y": 0, "stiffness": 50e6}]
     assert uplift(7e3, contact={"tensionless": False}, supports=supports, mesh={"size": 1.0}).status == "attention"
+
+
+def glued(P: float, x: float, state: str = "ultimate", **changes: Any) -> dict[str, DesignCheck]:
+    """Return the checks of the slab, glued to the ground, under its weight and a force [N] on its middle line."""
+    parts = {
+        "contact": {"tensionless": False},
+        "cases": [{"name": "G"}],
+        "loads": [WEIGHT, {"kind": "point", "P": P, "x": x, "y": 0.0, "case": "G"}],
+        "combinations": [{"name": "C", "limit_state": state, "factors": {"G": 1.0}}],
+        "mesh": {"size": 1.0},
+    }
+    return {check.name: check for check in check_design(solve(Model(**SLAB | parts | changes))).checks}
+
+
+@pytest.mark.parametrize("state", ["ultimate", "accidental", "characteristic", "equilibrium", "uplift"])
+def test_only_ground_in_tension_balances_the_loads(state: str) -> None:
+    """-100 kN at x = 2.6 m leave 80 kN at -260 / 80 = -3.25 m, beyond the edge at -3 m; -85 kN leave 95 kN at -2.33 m.
+
+    So it is in every limit state: the one topples without glue, the other does not. Where the ground pulls is said.
+    """
+    fails = [check for check in glued(-100e3, 2.6, state).values() if check.status == "fails"]
+    assert [check.foundation for check in fails] == [True]
+    assert all(check.status != "fails" for check in glued(-85e3, 2.6, state).values())
+    if state in ("equilibrium", "uplift"):
+        assert "only ground that pulls at the plate, to which it is glued, balances" in fails[0].words
+    else:
+        assert fails[0].name == "ground in tension"
+        assert fails[0].words.endswith("only that balances the loads")
+        assert fails[0].place is not None
+        assert fails[0].place[0] == pytest.approx(2.6, abs=0.5)
+
+
+def test_ground_that_pulls_though_the_loads_press() -> None:
+    """In ultimate combinations it needs attention, with share and place; where nothing pulls there is no row."""
+    check = glued(-85e3, 2.6)["ground in tension"]
+    assert check.status == "attention"
+    assert check.words.startswith('in "C" the ground pulls at ')
+    assert check.words.endswith("set contact.tensionless = true")
+    assert "ground in tension" not in glued(0.0, 2.6)
+    assert "ground in tension" not in glued(-85e3, 2.6, contact={"tensionless": True})
+    supports = [{"kind": "point", "x": 2.6, "y": 0.0, "stiffness": 1e6}]
+    assert glued(-100e3, 2.6, supports=supports)["ground in tension"].status == "attention"
 
 
 def test_supports_that_hold_the_slab_down() -> None:
