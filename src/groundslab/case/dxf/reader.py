@@ -40,7 +40,7 @@ from groundslab.case.dxf.loads.labelling import DIMENSION, Label, read_label
 from groundslab.case.dxf.loads.point_loads import read_point_loads
 from groundslab.errors import InputError, Issue
 from groundslab.geometry.intersections import find_self_meeting
-from groundslab.geometry.plan import Place
+from groundslab.geometry.plan import Place, Ring
 from groundslab.schema.wording import describe
 
 if TYPE_CHECKING:
@@ -89,9 +89,8 @@ def read(
             report_taken(closed, f"{name} {number}", context)
             if name == "column" and (remark := remark_on_column(closed.curve)):
                 context.report_entity(Source(closed.sources[0].layer, "LAYER", ""), True, f"column {number}: {remark}")
-    columns = [closed.curve for closed in curves_of["columns"]] + read_column_points(
-        points, len(curves_of["columns"]), tolerance, context
-    )
+    drawn: list[Ring | Place] = [closed.curve for closed in curves_of["columns"]]
+    columns = [*drawn, *read_column_points(points, len(drawn), tolerance, context)]
     marks = read_point_loads(entities["point_loads"], columns, tolerance, context)
     walls, beams, line_loads = (
         read_lines_with_values(role, lines[role], texts[role], roles, tolerance, context)
@@ -114,9 +113,13 @@ def read(
         unit=context.unit,
         scale=float(context.scale),
     )
-    if size := drawing.remark_on_size:
-        drawing = replace(drawing, report=(*drawing.report, ReportLine("", "HEADER", "", False, size)))
-    return drawing
+    return _with_remark(drawing)
+
+
+def _with_remark(drawing: Drawing) -> Drawing:
+    """Return a drawing with what contradicts its unit in its report."""
+    size = drawing.remark_on_size
+    return replace(drawing, report=(*drawing.report, ReportLine("", "HEADER", "", False, size))) if size else drawing
 
 
 def _find_entities(
