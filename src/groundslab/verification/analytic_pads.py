@@ -69,8 +69,8 @@ class _Pad:
 def pad_by_en1992_2004(*, d: float, f_ck: float, rho: float, **pad: float) -> dict[str, float]:
     """Return v_Ed and v_Rd where v_Ed / v_Rd is largest within 2 d, and v_Ed and v_Rd,max at the face [MPa].
 
-    Clauses 6.4.3(3) (6.39, 6.40), 6.4.4(1), (2) (6.47, 6.50, 6.51) and 6.4.5(3) (6.53), with recommended values; k of
-    Table 6.1 between its values; 6.51 has the moment of all that acts inside the perimeter.
+    Clauses 6.4.3(3) (6.39, 6.40), 6.4.4(1), (2) (6.47, 6.50, 6.51) and 6.4.5(3), expression 6.53, with recommended
+    values; k of Table 6.1 between its values; 6.51 has the moment of all that acts inside the perimeter.
     """
     of = _Pad(**pad)
     ratio = of.c_x / of.c_y if of.c_y else 1.0
@@ -106,7 +106,7 @@ def pad_by_en1992_2004(*, d: float, f_ck: float, rho: float, **pad: float) -> di
 def pad_by_en1992_2023(*, d: float, f_ck: float, rho: float, a_p: float = math.inf, **pad: float) -> dict[str, float]:
     """Return tau_Ed and tau_Rd [MPa] at d / 2 by EN 1992-1-1:2023 8.4, with d_dg of 32 mm and gamma_V of 1.4.
 
-    Clauses 8.4.2(2), (3), (6) with the pressure within 0.67 d, 8.4.3 (8.94 to 8.98), 8.2.1(4) (8.20), f_yd of
+    Clauses 8.4.2(2), (3), (6) with the pressure within 0.67 d, 8.4.3 (8.94 to 8.98), 8.2.1(4) (formula 8.20), f_yd of
     500 / 1.15. The column's force acts in the perimeter's center, so that beta_e is 1.05. Where moments are zero, a_p,
     is that of an analysis: on the column's axes they change their sign before the edge.
     """

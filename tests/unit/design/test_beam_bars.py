@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import groundslab as gs
-from groundslab.design.basis.unjudged import GIVEN_SECTION
+from groundslab.design.basis.check import GIVEN_SECTION
 from groundslab.design.beam_bars import BeamNeed, beam_needs
 from groundslab.design.result_tables import table_makers
 from groundslab.results.record import BeamResult

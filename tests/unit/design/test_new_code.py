@@ -12,8 +12,8 @@ import pytest
 
 from groundslab.arrays import Array
 from groundslab.design import bending
+from groundslab.design.basis.check import NO_RULE
 from groundslab.design.basis.design_code import Clauses, DesignCode
-from groundslab.design.basis.unjudged import NO_RULE
 from groundslab.design.bending import BendingRule, Block
 from groundslab.design.checks import check_design
 from groundslab.design.codes import CODES

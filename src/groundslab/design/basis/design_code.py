@@ -13,11 +13,10 @@ from typing import NamedTuple
 from groundslab.arrays import Array, Flags
 from groundslab.design.basis.bending_steps import BarsNeeded
 from groundslab.design.basis.calculation import Step
-from groundslab.design.basis.check import DesignCheck, not_judged
+from groundslab.design.basis.check import NO_RULE, DesignCheck, not_judged
 from groundslab.design.basis.detailing_rule import DetailingRule
-from groundslab.design.basis.punching_columns import Heads, PunchingColumns
+from groundslab.design.basis.punching import Heads, PunchingColumns
 from groundslab.design.basis.shear_demand import ShearDemand
-from groundslab.design.basis.unjudged import NO_RULE
 from groundslab.design.basis.wide_beam import Cut
 from groundslab.design.bending import BendingRule
 from groundslab.design.demands.perimeter_loads import Reach

@@ -14,9 +14,8 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from groundslab.design.basis.calculation import MEGA, Step
-from groundslab.design.basis.check import ROUNDING, DesignCheck, Status, not_judged, some
+from groundslab.design.basis.check import GLUED, ROUNDING, UNSOLVED, DesignCheck, Status, not_judged, some
 from groundslab.design.basis.combinations import solved_results, ultimate_results
-from groundslab.design.basis.unjudged import GLUED, UNSOLVED
 from groundslab.design.by_plate import results_by_plate
 from groundslab.design.demands.loads import column_loads
 from groundslab.design.demands.perimeters import outline

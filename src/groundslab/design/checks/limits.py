@@ -17,10 +17,9 @@ import numpy as np
 from groundslab.accuracy.singularities import find_limits
 from groundslab.accuracy.values import error_of_contact_share
 from groundslab.design.basis.calculation import Step
-from groundslab.design.basis.check import DesignCheck, not_judged
+from groundslab.design.basis.check import NO_COMBINATION, ONE_COLUMN, DesignCheck, not_judged
 from groundslab.design.basis.combinations import solved_results, why_none
 from groundslab.design.basis.demand_errors import error_at_nodes, error_of, scaled
-from groundslab.design.basis.unjudged import NO_COMBINATION, ONE_COLUMN
 from groundslab.design.by_plate import results_by_plate
 from groundslab.design.checks import limit_steps
 from groundslab.design.demands.edge_strip import spread_edge_force, strip_width

@@ -7,9 +7,8 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from groundslab.arrays import Array
-from groundslab.design.basis.check import DesignCheck, not_judged
+from groundslab.design.basis.check import PULLS, DesignCheck, not_judged
 from groundslab.design.basis.combinations import ultimate_results
-from groundslab.design.basis.unjudged import PULLS
 from groundslab.design.demands.perimeter_loads import PunchingForce, punching_columns, punching_piles
 from groundslab.design.demands.zones.thicker_zones import zone_forces
 from groundslab.results.results import CombinationResult, Results

@@ -13,10 +13,9 @@ from dataclasses import replace
 import numpy as np
 
 from groundslab.design.basis.calculation import MEGA, Step
-from groundslab.design.basis.check import DesignCheck, Status, not_judged, some
+from groundslab.design.basis.check import NO_LIMIT, DesignCheck, Status, not_judged, some
 from groundslab.design.basis.combinations import solved_results
 from groundslab.design.basis.demand_errors import error_of, scaled
-from groundslab.design.basis.unjudged import NO_LIMIT
 from groundslab.design.demands.support_forces import NOTHING, REACHED, Utilization, idle, limits_of, utilization
 from groundslab.model.loads.clipping import Clipped, find_clipped_loads
 from groundslab.model.loads.load_cases import STRENGTH

@@ -11,10 +11,9 @@ from collections.abc import Iterator
 import numpy as np
 
 from groundslab.design import beam_bars, required_bars
-from groundslab.design.basis.check import DesignCheck, not_judged, some
+from groundslab.design.basis.check import GIVEN_SECTION, DesignCheck, not_judged, some
 from groundslab.design.basis.combinations import UNFACTORED, ultimate_results, why_none, without_partial_factors
 from groundslab.design.basis.design_code import DesignCode, no_rule
-from groundslab.design.basis.unjudged import GIVEN_SECTION
 from groundslab.design.checks import pulling
 from groundslab.design.codes import code_of
 from groundslab.model.loads.load_cases import STRENGTH

@@ -48,7 +48,7 @@ def flange_bars(steel: Reinforcement, limit_state: str, stress: Array, compresse
 
 
 def flange_limit(steel: Reinforcement, limit_state: str) -> float:
-    """Return the largest shear stress between web and flange [Pa], with struts at 45 degrees (6.22)."""
+    """Return the largest shear stress between web and flange [Pa], with struts at 45 degrees (expression 6.22)."""
     return materials(steel, limit_state)[0].strut / 2
 
 

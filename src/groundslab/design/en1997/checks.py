@@ -14,10 +14,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from groundslab.design.basis.calculation import Step
-from groundslab.design.basis.check import DesignCheck, not_judged
+from groundslab.design.basis.check import NO_COMBINATION, DesignCheck, not_judged
 from groundslab.design.basis.combinations import ultimate_results, why_none
 from groundslab.design.basis.demand_errors import error_of, scaled
-from groundslab.design.basis.unjudged import NO_COMBINATION
 from groundslab.design.demands.perimeters import outline
 from groundslab.design.en1997 import bearing
 from groundslab.design.en1997.bearing_steps import bearing_steps, sliding_steps

@@ -13,10 +13,9 @@ import numpy as np
 
 from groundslab.arrays import Array
 from groundslab.design.basis.calculation import MEGA, Step
-from groundslab.design.basis.check import DesignCheck, not_judged
+from groundslab.design.basis.check import NO_COMBINATION, DesignCheck, not_judged
 from groundslab.design.basis.combinations import solved_results, why_none
 from groundslab.design.basis.demand_errors import greatest_moments, scaled
-from groundslab.design.basis.unjudged import NO_COMBINATION
 from groundslab.design.demands.design_moments import design_moments
 from groundslab.design.eurocode2.cracked_sections import Bars
 from groundslab.model.design.laid_bars import LaidBars, axis_of

@@ -16,10 +16,9 @@ import numpy as np
 
 from groundslab.arrays import Array
 from groundslab.design import punching
-from groundslab.design.basis.check import DesignCheck, not_judged
+from groundslab.design.basis.check import NO_COMBINATION, NO_PERIMETER, DesignCheck, not_judged
 from groundslab.design.basis.combinations import solved_results, ultimate_results, why_none
 from groundslab.design.basis.demand_errors import MOMENT, error_at_nodes, error_of, scaled
-from groundslab.design.basis.unjudged import NO_COMBINATION, NO_PERIMETER
 from groundslab.design.by_plate import split_by_plate
 from groundslab.design.demands.design_moments import principal_moments
 from groundslab.design.demands.perimeters import surroundings

@@ -7,10 +7,9 @@ from collections.abc import Iterator
 import numpy as np
 
 from groundslab.design.basis.calculation import MEGA, Step
-from groundslab.design.basis.check import DesignCheck, not_judged, some
+from groundslab.design.basis.check import NO_COMBINATION, NO_CONCRETE, DesignCheck, not_judged, some
 from groundslab.design.basis.combinations import ultimate_results, why_none
 from groundslab.design.basis.demand_errors import error_of, scaled
-from groundslab.design.basis.unjudged import NO_COMBINATION, NO_CONCRETE
 from groundslab.design.en1992.materials import CONCRETE_CLASSES
 from groundslab.design.floors import dowels as tr34
 from groundslab.design.floors.dowels import FORMULAS, GAMMA_S, Dowel

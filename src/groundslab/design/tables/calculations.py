@@ -11,7 +11,7 @@ from groundslab.design.basis.bending_steps import BarsNeeded
 from groundslab.design.basis.calculation import Step, with_numbers
 from groundslab.design.basis.combinations import ultimate_results
 from groundslab.design.basis.design_code import Calculation
-from groundslab.design.basis.punching_columns import Heads
+from groundslab.design.basis.punching import Heads
 from groundslab.design.checks import check_design
 from groundslab.design.codes import code_of
 from groundslab.design.demands.perimeters import SketchedPerimeter

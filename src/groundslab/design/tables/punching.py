@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from groundslab.design.basis.combinations import ultimate_results
-from groundslab.design.basis.punching_columns import NO_COLUMNS, Heads, PunchingColumns
+from groundslab.design.basis.punching import NO_COLUMNS, Heads, PunchingColumns
 from groundslab.design.basis.wall_ends import loaded_ends
 from groundslab.design.codes import code_of
 from groundslab.design.demands.perimeter_loads import punching_piles

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from rich.console import Console
 
-from groundslab.design.basis.unjudged import SUPPORT_INSIDE
+from groundslab.design.basis.check import SUPPORT_INSIDE
 from groundslab.design.checks import Design, DesignCheck, check_design
 from groundslab.design.en1992.annex import RECOMMENDED
 from groundslab.design.en1992.checks.governing_perimeters import demands

@@ -9,8 +9,7 @@ from typing import Any
 import pytest
 
 import groundslab as gs
-from groundslab.design.basis.check import DesignCheck
-from groundslab.design.basis.unjudged import UNJUDGED, Unjudged
+from groundslab.design.basis.check import UNJUDGED, DesignCheck, Unjudged
 from groundslab.design.checks import check_design
 from groundslab.model.model import Model
 

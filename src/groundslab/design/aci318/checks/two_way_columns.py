@@ -11,7 +11,7 @@ from groundslab.design.aci318.checks.two_way_demand import (
     two_way,
     zone_two_way,
 )
-from groundslab.design.basis.punching_columns import (
+from groundslab.design.basis.punching import (
     AROUND,
     BEAMS,
     DEPTH,

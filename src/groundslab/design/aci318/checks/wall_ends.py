@@ -15,7 +15,7 @@ import numpy as np
 from groundslab.arrays import Array, made_once
 from groundslab.design.aci318 import punching as aci318
 from groundslab.design.aci318.checks.two_way_demand import OPENING_REACH, TwoWay, strength
-from groundslab.design.basis.punching_columns import Heads, PunchingColumns
+from groundslab.design.basis.punching import Heads, PunchingColumns
 from groundslab.design.basis.wall_ends import WallPunching, punching_walls
 from groundslab.design.demands.perimeters import Openings
 from groundslab.model.design.reinforcement import Reinforcement

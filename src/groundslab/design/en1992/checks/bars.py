@@ -7,9 +7,8 @@ from collections.abc import Iterator
 from groundslab.arrays import Array
 from groundslab.design.basis.bar_checks import check_clear, check_cover, check_spacing
 from groundslab.design.basis.calculation import Step
-from groundslab.design.basis.check import DesignCheck, not_judged
+from groundslab.design.basis.check import OTHER_STANDARD, DesignCheck, not_judged
 from groundslab.design.basis.combinations import solved_results
-from groundslab.design.basis.unjudged import OTHER_STANDARD
 from groundslab.design.en1992 import cracking
 from groundslab.design.en1992.annex import annex_of
 from groundslab.design.en1992.case_materials import least_cover, materials, strengths, widest_crack

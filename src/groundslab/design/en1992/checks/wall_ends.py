@@ -12,7 +12,7 @@ from functools import partial
 import numpy as np
 
 from groundslab.arrays import made_once
-from groundslab.design.basis.punching_columns import Heads, PunchingColumns
+from groundslab.design.basis.punching import Heads, PunchingColumns
 from groundslab.design.basis.wall_ends import WallPunching, punching_walls
 from groundslab.design.en1992 import punching as en1992
 from groundslab.design.en1992.case_materials import materials

@@ -8,9 +8,8 @@ from functools import partial
 from groundslab.arrays import Array
 from groundslab.design.basis.bar_checks import check_cover, check_spacing
 from groundslab.design.basis.calculation import Step
-from groundslab.design.basis.check import DesignCheck, not_judged
+from groundslab.design.basis.check import NO_LIMIT, DesignCheck, not_judged
 from groundslab.design.basis.combinations import solved_results
-from groundslab.design.basis.unjudged import NO_LIMIT
 from groundslab.design.en1992_2023 import cracking
 from groundslab.design.en1992_2023.annex import RECOMMENDED
 from groundslab.design.en1992_2023.case_materials import materials

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from groundslab.design.basis.check import DesignCheck, Status
 from groundslab.design.basis.demand_errors import error_of_ratio, scaled
-from groundslab.design.basis.punching_checks import judged, with_the_rest
+from groundslab.design.basis.punching import judged, with_the_rest
 from groundslab.design.basis.wall_ends import NO_WALL, loaded_ends
 from groundslab.design.demands.perimeter_loads import punching_piles
 from groundslab.design.demands.zones.thicker_zones import NONE, zone_forces

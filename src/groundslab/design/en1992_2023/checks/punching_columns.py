@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from groundslab.design.basis.punching_columns import (
+from groundslab.design.basis.punching import (
     AROUND,
     BEAMS,
     DEPTH,

@@ -11,7 +11,7 @@ from functools import partial
 import numpy as np
 
 from groundslab.arrays import made_once
-from groundslab.design.basis.punching_columns import Heads, PunchingColumns
+from groundslab.design.basis.punching import Heads, PunchingColumns
 from groundslab.design.basis.wall_ends import WallPunching, punching_walls
 from groundslab.design.demands.line_properties import total_length
 from groundslab.design.demands.perimeters import Openings

@@ -12,9 +12,8 @@ import numpy as np
 
 from groundslab.arrays import Array
 from groundslab.design.basis.calculation import Step
-from groundslab.design.basis.check import DesignCheck, not_judged
+from groundslab.design.basis.check import BARS_YIELD, NO_BARS, DesignCheck, not_judged
 from groundslab.design.basis.combinations import solved_results
-from groundslab.design.basis.unjudged import BARS_YIELD, NO_BARS
 from groundslab.design.en1992 import cracking
 from groundslab.design.en1992.case_materials import materials
 from groundslab.design.en1992.checks.cracks import crack_steps

@@ -1,0 +1,169 @@
+"""What codes share about punching: checks of what is not judged by it, the columns and notes of its tables."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass, replace
+from typing import Protocol, TypeVar
+
+from groundslab.design.basis.check import MOST_NAMED, NO_PERIMETER, SUPPORT_INSIDE, DesignCheck, not_judged
+from groundslab.model.design.reinforcement import Reinforcement
+
+Heads = tuple[tuple[str, str], ...]
+
+#: What acts inside a perimeter.
+INSIDE: Heads = (
+    ("pressure inside", "kN"), ("pressure inside / load", "%"), ("edge line force inside", "kN"),
+    ("other loads inside", "kN"),
+)  # fmt: skip
+
+#: What of a column's load and of a pile's force punches.
+RELIEF = {
+    "column": "load + other loads inside - pressure inside",
+    "pile": "force + pressure inside + edge line force inside - other loads inside",
+    "zone": "load + other loads inside - pressure inside",
+}
+#: What beams do to it.
+BEAMS = "Other loads inside include the shear forces of beams across the perimeter, upwards negative."
+#: What counts of a perimeter that leaves a thicker zone.
+THINNER = "Where the slab is thinner than that, a length of a perimeter counts by the share that it resists there."
+#: The effective depth of columns, of piles and around thicker zones.
+DEPTH = {
+    "column": "d is the least thickness under the column less the mean distance of the bottom bars' axes.",
+    "pile": "d is the least thickness over the pile less the mean distance of the top bars' axes.",
+    "zone": "d is the largest thickness at the border of the zone less the mean distance of the bottom bars' axes.",
+}
+#: What is around a zone.
+AROUND = "Perimeters run around the zone, or around its hull if it has reentrant corners, by their distance from it."
+_ONE_EDGE = (
+    "The line force of the ground along the plate's edge inside is not a pressure: it does not relieve punching, "
+    "unless the case sets line_force_relieves; where it pulls, it is added."
+)
+_RELIEVES = (
+    "The line force of the ground along the plate's edge inside is subtracted like the pressure inside, as the case "
+    "sets line_force_relieves."
+)
+_OVER_EDGE = (
+    "The line force of the ground along the plate's edge inside adds to the punching force, as the pressure does."
+)
+
+
+@dataclass(frozen=True, slots=True)
+class PunchingColumns:
+    """The columns that a table has of punching, their cells by combination and name, and what a reader must know."""
+
+    heads: Heads
+    cells: Callable[[str, str], list[float | None]]
+    notes: tuple[str, ...]
+
+
+#: Where nothing is known of punching.
+NO_COLUMNS = PunchingColumns((), lambda _, __: [], ())
+
+
+def effective_note(about_center: str) -> str:
+    """Return the note on openings, with the properties of the perimeter about its center."""
+    return (
+        "The part between the tangents to an opening does not count; center, moments and "
+        f"{about_center} are those of the remaining part."
+    )
+
+
+def edge_note(steel: Reinforcement, support: str) -> str:
+    """Return the effect of the line force along the plate's edge in words, at a "column", "pile" or "zone"."""
+    if support == "pile":
+        return _OVER_EDGE
+    return _RELIEVES if steel.line_force_relieves else _ONE_EDGE
+
+
+def missing_notes(missing: Mapping[str, str], support: str) -> tuple[str, ...]:
+    """Return why some have no perimeter, by their names, as notes."""
+    of = "around" if support == "zone" else f"of {support}"
+    return tuple(f"no punching {of} {name}: {why}" for name, why in missing.items())
+
+
+def cells_inside(force: float, pressure: float, edge: float, others: float) -> list[float | None]:
+    """Return the forces inside [N], in the order of INSIDE."""
+    return [pressure / 1e3, 100 * pressure / force, edge / 1e3, others / 1e3]
+
+
+class Supported(Protocol):
+    """A demand inside whose perimeter another support may stand."""
+
+    @property
+    def name(self) -> str:
+        """Return what punches."""
+
+    @property
+    def supported(self) -> bool:
+        """Return whether another support inside takes off a part, which is not counted."""
+
+
+Demand = TypeVar("Demand", bound=Supported)
+
+
+def judged(demands: Iterable[Demand], used: Callable[[Demand], float]) -> tuple[list[Demand], dict[str, float]]:
+    """Return the demands that are judged, and how much the others use, the most by name.
+
+    One that holds without what a support inside takes off holds with it, too; of another nobody knows.
+    """
+    those: list[Demand] = []
+    others: dict[str, float] = {}
+    for demand in demands:
+        share = used(demand)
+        if demand.supported and share > 1:
+            others[demand.name] = max(share, others.get(demand.name, 0.0))
+        else:
+            those.append(demand)
+    return those, others
+
+
+def with_the_rest(
+    check: DesignCheck | None,
+    name: str,
+    called: tuple[str, str, str],
+    supported: Mapping[str, float],
+    missing: Mapping[str, str],
+) -> Iterator[DesignCheck]:
+    """Yield a check of those that are judged, and what becomes of the rest.
+
+    Parameters
+    ----------
+    check : DesignCheck or None
+        The check of those that are judged, None if there are none.
+    name : str
+        What it is called.
+    called : tuple of str
+        What it is about, such as "columns"; what is said if nothing pushes; and why those have no perimeter whose
+        perimeters cut the slab from edge to edge.
+    supported : mapping of str to float
+        Of those that hold only with what supports inside take off: demand over resistance without that, by name.
+    missing : mapping of str to str
+        Why others have no perimeter, by name.
+    """
+    many, none, cut = called
+    cuts, bare = ([each for each, why in sorted(missing.items()) if (why == cut) == is_cut] for is_cut in (True, False))
+    one_way = (
+        f"perimeters of {many} {_named(cuts)} cut the slab from edge to edge, which one-way shear judges"
+        if cuts
+        else ""
+    )
+    if check is not None:
+        yield replace(check, words=f"{check.words}; {one_way}") if one_way else check
+    elif one_way or not (supported or bare):
+        yield DesignCheck(name, "no failure found", one_way or none)
+    if supported:
+        worst = max(supported, key=supported.__getitem__)
+        words = (
+            f"{many} {_named(sorted(supported))} have another support inside their perimeters; without what it takes "
+            f"off {worst} uses {supported[worst]:.3g} times what resists"
+        )
+        yield not_judged(f"{name} beside supports", SUPPORT_INSIDE, words, of=worst)
+    if bare:
+        words = f"{many} {_named(bare)} have no perimeter; {bare[0]}: {missing[bare[0]]}"
+        yield not_judged(f"{name} without a perimeter", NO_PERIMETER, words, of=bare[0])
+
+
+def _named(names: list[str]) -> str:
+    """Return the first of some names."""
+    return ", ".join(names[:MOST_NAMED]) + (" ..." if len(names) > MOST_NAMED else "")
