@@ -77,8 +77,8 @@ def test_errors_are_within_the_accuracy_at_few_unknowns() -> None:
 
 def test_a_size_is_not_changed() -> None:
     """With a size, an accuracy is what the warning is about."""
-    results = solve(slab({"size": 0.2, "accuracy": 0.01}))
-    assert len(results.plate.elements) == 50 * 30
+    results = solve(slab({"size": 0.1, "accuracy": 0.01}))
+    assert len(results.plate.elements) == 100 * 60
     assert "1 %" in coarse_words(results)
     assert "mesh.accuracy" in coarse_words(results)
 
