@@ -175,3 +175,28 @@ def test_a_rigid_plate_rests_on_the_bottom_of_a_void(mesh: dict[str, Any]) -> No
     np.testing.assert_allclose(results.plate.pressure[off], pressure[off], rtol=1e-3)
     assert results.plate.pressure @ results.plate.area == pytest.approx(24 * q, rel=1e-7)
     assert results.plate.contact_area.sum() == pytest.approx(24.0, rel=1e-12)
+
+
+def test_the_pressure_of_springs_is_k_w_on_both_sides_of_a_border() -> None:
+    """Beside a column, where the mesh is refined along a border of springs of 20 and 60 MPa/m, p / w is one of both.
+
+    Nodes on the border stand for one side each, and all together carry the load.
+    """
+    model = Model(
+        plate={"length_x": 10.0, "length_y": 8.0, "thickness": 0.5, "E": 33e9, "nu": 0.2},
+        ground={"kind": "winkler", "k": 20e6},
+        soil_zones=[{"shape": {"kind": "rectangle", "x": (0.05, 40.0), "y": (-40.0, 40.0)},
+                     "ground": {"kind": "winkler", "k": 60e6}}],
+        loads=[{"kind": "self weight", "unit_weight": 25e3},
+               {"kind": "point", "P": 1.5e6, "x": 0.0, "y": 0.0, "width_x": 0.4, "width_y": 0.4}],
+        mesh={"accuracy": 0.05},
+    )  # fmt: skip
+    results = solve(model).only
+    plate = results.plate
+    x, touches = plate.nodes[:, 0], plate.pressure > 0
+    k = plate.pressure[touches] / plate.settlement[touches]
+    border = np.abs(x[touches] - 0.05) < 1e-6
+    assert border.sum() > 50
+    expected = np.where(border, np.where(k > 40e6, 60e6, 20e6), np.where(x[touches] > 0.05, 60e6, 20e6))
+    assert k == pytest.approx(expected, rel=1e-3)
+    assert plate.pressure @ plate.area == pytest.approx(80 * 0.5 * 25e3 + 1.5e6, rel=1e-9)

@@ -51,8 +51,12 @@ def contact_fields(solution: Solution, frame: ResultMesh) -> tuple[dict[str, Arr
     at_nodes = pressure[here]
     springs = _springs(solution)
     if springs is not None:
-        mean = scatter(of, springs[:, None] * share, len(pressure))[of] / scatter(of, share, len(pressure))[of]
-        at_elements = at_elements * springs[:, None] / mean
+        # where elements are refined a border's nodes carry forces of both sides, so that p = k w on each side instead
+        total, w = float((at_elements * share).sum()), plate_settlement(solution.system, solution.U)
+        w = carry(problem.mesh.elements, w - problem.contact.initial_gap)
+        pressed = springs[:, None] * (np.maximum(w, 0.0) if problem.contact.tensionless else w)[of]
+        carried = float((pressed * share).sum())
+        at_elements = pressed * (total / carried if carried else 1.0)
     if springs is not None or len(problem.contact.depths.depth) > 1:
         at_nodes = scatter(elements, at_elements * share, len(frame.node)) / frame.area
     return {
