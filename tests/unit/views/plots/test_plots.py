@@ -506,11 +506,15 @@ class TestWords:
         "title", ["costs $5 and $x", r"$\frac{1}{", "<b>bold</b> & more", "tab\tbell\a\x00end", "日本", "x" * 400, ""]
     )
     def test_free_text_is_harmless(self, tmp_path: Path, title: str) -> None:
-        """Formulas, markup, control characters, letters that the font lacks and long words come out as they are."""
+        """Formulas, markup, letters that the font lacks and long words come out as they are in the model.
+
+        Of control characters it has what shows them.
+        """
         results = synthetic.results(model=synthetic.model(title=title))
         groundslab.plot(results, kind="convergence", to=tmp_path / "a.svg")
         written = "".join(ElementTree.parse(tmp_path / "a.svg").getroot().itertext())
-        assert set(plain_text(title, 60).split(" ...")[0].splitlines()) <= {
+        assert results.model.title.isprintable()
+        assert set(plain_text(results.model.title, 60).split(" ...")[0].splitlines()) <= {
             line.strip() for line in written.splitlines()
         }
 
