@@ -144,7 +144,7 @@ def with_the_rest(
     many, none, cut = called
     cuts, bare = ([each for each, why in sorted(missing.items()) if (why == cut) == is_cut] for is_cut in (True, False))
     one_way = (
-        f"perimeters of {many} {_named(cuts)} cut the slab from edge to edge, which one-way shear judges"
+        f"perimeters of {many} ({_named(cuts)}) cut the slab from edge to edge, which one-way shear judges"
         if cuts
         else ""
     )
@@ -155,12 +155,12 @@ def with_the_rest(
     if supported:
         worst = max(supported, key=supported.__getitem__)
         words = (
-            f"{many} {_named(sorted(supported))} have another support inside their perimeters; without what it takes "
+            f"{many} ({_named(sorted(supported))}) have another support inside their perimeters; without what it takes "
             f"off {worst} uses {supported[worst]:.3g} times what resists"
         )
         yield not_judged(f"{name} beside supports", SUPPORT_INSIDE, words, of=worst)
     if bare:
-        words = f"{many} {_named(bare)} have no perimeter; {bare[0]}: {missing[bare[0]]}"
+        words = f"{many} ({_named(bare)}) have no perimeter; {bare[0]}: {missing[bare[0]]}"
         yield not_judged(f"{name} without a perimeter", NO_PERIMETER, words, of=bare[0])
 
 

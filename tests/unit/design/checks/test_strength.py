@@ -160,7 +160,7 @@ def test_a_support_inside_the_perimeter(code: str, about: str) -> None:
     (given_up,) = [each for each in checked(5e6, 4e6) if each.unjudged is not None]
     assert given_up.unjudged is SUPPORT_INSIDE
     assert given_up.status == "attention"
-    assert "C1 have another support inside their perimeters; without what it takes off C1 uses" in given_up.words
+    assert "(C1) have another support inside their perimeters; without what it takes off C1 uses" in given_up.words
     assert given_up.words.endswith(SUPPORT_INSIDE.do)
 
 
