@@ -129,6 +129,16 @@ def fill_and_crash(filled: str, seen: str) -> None:
         crash()
 
 
+def fail_in_native_code(share: float) -> None:
+    """Take a share of the memory that is left, and raise what an extension leaves that fails without saying why."""
+    import resource
+
+    most, _ = resource.getrlimit(resource.RLIMIT_AS)
+    used = int(Path("/proc/self/statm").read_text(encoding="ascii").split()[0]) * resource.getpagesize()
+    with mmap.mmap(-1, int(share * (most - used))):
+        raise SystemError("error return without exception set")
+
+
 def crash() -> None:
     """End as native code does that fails."""
     os.kill(os.getpid(), signal.SIGSEGV)

@@ -7,6 +7,7 @@ the process is replaced.
 from __future__ import annotations
 
 import errno
+import os
 import signal
 import threading
 import time
@@ -19,6 +20,7 @@ from multiprocessing.reduction import ForkingPickler
 from pathlib import Path
 from typing import Any
 
+from groundslab.errors import GroundslabError
 from groundslab.workbench.child_process import ChildProcess, set_up_child
 
 #: Memory that a function may use beyond what the process uses when it is ready [bytes].
@@ -114,7 +116,7 @@ class BoundedProcess:
         if self._process is None:
             self._process = ChildProcess("groundslab reader", _main, self._prepare, self._memory)
             self._wait(START_LIMIT, lambda: not self._closed, ProcessEnded("it cannot be started"))
-            self._limit, self._most_used = self._process.pipe.recv(), 0
+            self._limit, self._most_used = self._process.pipe.recv(), _peak_memory(self._process.pid)
         return self._process.pipe
 
     def _wait(self, seconds: float, needed: Callable[[], bool], timeout: Exception) -> None:
@@ -201,9 +203,15 @@ def _call(message: bytes, exhausted: Any) -> Any:
 
 
 def _is_out_of_memory(error: Exception) -> bool:
-    """Return whether an exception says that there is no memory left, also for a library that is being loaded."""
+    """Return whether an exception says that there is no memory left, also for a library that is being loaded.
+
+    Libraries that get none may say anything else: that counts, too, in a process that has used up its memory.
+    """
     if isinstance(error, ImportError):
         return "failed to map segment" in str(error)  # what the loader of Linux says
+    of_library = not isinstance(error, GroundslabError) or error.__context__ is not None
+    if of_library and _peak_memory(os.getpid()) > FULL * _memory_limit() > 0:
+        return True
     return isinstance(error, MemoryError) or (isinstance(error, OSError) and error.errno == errno.ENOMEM)
 
 
@@ -214,6 +222,15 @@ def _peak_memory(pid: int | None) -> int:
         return 1024 * int(status.partition("VmPeak:")[2].split(maxsplit=1)[0])
     except (OSError, ValueError, IndexError):
         return 0
+
+
+def _memory_limit() -> int:
+    """Return how many bytes this process may use, 0 where nothing limits it."""
+    try:
+        import resource
+    except ImportError:
+        return 0
+    return max(resource.getrlimit(resource.RLIMIT_AS)[0], 0)
 
 
 def _limit_memory(more: int) -> int:

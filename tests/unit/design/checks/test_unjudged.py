@@ -45,7 +45,7 @@ def made(model: Model) -> tuple[DesignCheck, ...]:
 
 def plate(*, corners: bool) -> dict[str, Any]:
     """Return a plate with openings on all sides of the column, and behind what is between them, or not."""
-    at, long = 0.22, 0.42
+    at, long = 0.3, 0.5
     sides = [((at, at + 0.2), (-long / 2, long / 2)), ((-at - 0.2, -at), (-long / 2, long / 2))]
     sides += [(y, x) for x, y in sides]
     behind = (0.5, 0.7), (-0.7, -0.5)

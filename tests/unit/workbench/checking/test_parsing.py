@@ -121,6 +121,15 @@ def test_native_code_that_ends_the_process(process: BoundedProcess, tmp_path: Pa
     assert process.call(max, 1, 2, seconds=PATIENCE) == 2
 
 
+@pytest.mark.skipif(not Path("/proc/self/statm").exists(), reason="memory is limited on Linux only")
+def test_native_code_that_fails_without_saying_why(process: BoundedProcess) -> None:
+    """With its memory used up the process had too little; with little used it is a defect, which is told as it is."""
+    with pytest.raises(SystemError, match="without exception set"):
+        process.call(workers.fail_in_native_code, 0.1, seconds=PATIENCE)
+    with pytest.raises(MemoryLimit, match="more than 1 GB"):
+        process.call(workers.fail_in_native_code, 0.97, seconds=PATIENCE)
+
+
 def test_a_call_that_is_not_wanted_is_ended(process: BoundedProcess, tmp_path: Path) -> None:
     """It is interrupted long before its limit; closing ends what is under way."""
     with pytest.raises(Interrupted):
