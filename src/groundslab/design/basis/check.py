@@ -40,9 +40,9 @@ class Unjudged:
     do: str
 
 
-#: Punching: another support stands inside the perimeter, and what it takes off is needed for the check to hold.
+#: Punching: another support acts inside the perimeter, and the check does not hold with the worse of what it may do.
 SUPPORT_INSIDE = Unjudged(
-    "support-inside", "move it out of the perimeter, or design what is between by struts and ties"
+    "support-inside", "check a perimeter around both by hand, or design what is between by struts and ties"
 )
 #: Punching: openings and edges leave nothing of the perimeter.
 NO_PERIMETER = Unjudged("no-perimeter", "move the openings or the load, or design the slab there by hand")

@@ -96,7 +96,7 @@ class Supported(Protocol):
 
     @property
     def supported(self) -> bool:
-        """Return whether another support inside takes off a part, which is not counted."""
+        """Return whether another support acts inside, of which what it adds is counted, not what it takes off."""
 
 
 Demand = TypeVar("Demand", bound=Supported)
@@ -105,7 +105,8 @@ Demand = TypeVar("Demand", bound=Supported)
 def judged(demands: Iterable[Demand], used: Callable[[Demand], float]) -> tuple[list[Demand], dict[str, float]]:
     """Return the demands that are judged, and how much the others use, the most by name.
 
-    One that holds without what a support inside takes off holds with it, too; of another nobody knows.
+    One that holds with what supports inside add, and without what they take off, holds in any case; of another nobody
+    knows, as it is no section of this column or pile alone.
     """
     those: list[Demand] = []
     others: dict[str, float] = {}
@@ -137,7 +138,7 @@ def with_the_rest(
         What it is about, such as "columns"; what is said if nothing pushes; and why those have no perimeter whose
         perimeters cut the slab from edge to edge.
     supported : mapping of str to float
-        Of those that hold only with what supports inside take off: demand over resistance without that, by name.
+        Of those that do not hold so, because of supports inside: demand over resistance, by name.
     missing : mapping of str to str
         Why others have no perimeter, by name.
     """
@@ -155,8 +156,8 @@ def with_the_rest(
     if supported:
         worst = max(supported, key=supported.__getitem__)
         words = (
-            f"{many} ({_named(sorted(supported))}) have another support inside their perimeters; without what it takes "
-            f"off {worst} uses {supported[worst]:.3g} times what resists"
+            f"{many} ({_named(sorted(supported))}) have another support inside their perimeters; with what it adds and "
+            f"without what it takes off {worst} uses {supported[worst]:.3g} times what resists"
         )
         yield not_judged(f"{name} beside supports", SUPPORT_INSIDE, words, of=worst)
     if bare:

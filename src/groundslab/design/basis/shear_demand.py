@@ -67,6 +67,12 @@ class ShearDemand:
         yield Step("shear force on sections y = const", "q_y", q_y / MEGA, "MN/m")
         yield Step("largest shear force of any direction", symbol, self.v / MEGA, "MN/m", "sqrt(q_x^2 + q_y^2)", clause)
 
+    def mean_steps(self, resistance: str, force: str, clause: str) -> Iterator[Step]:
+        """Yield what needs no links over a cut where depth or bars differ, and the share used."""
+        without = self.without_links / MEGA
+        yield Step("force that needs no links, mean over the cut", resistance, without, "MN/m", clause=clause)
+        yield Step("share used", "eta", self.used, "", f"{force} / {resistance}", clause)
+
     def ratio_steps(self, symbol: str, force: str, clause: str) -> Iterator[Step]:
         """Yield the ratio of bars along the force, of the symbol given, from that along x and y; of cuts the ratio."""
         rho = self.rho or 0.0

@@ -1,4 +1,4 @@
-"""One-way shear of a slab as a wide beam by ACI 318-19: across it at the distance d from columns (7.4.3.2, 8.4.3.2).
+"""One-way shear of a slab as a wide beam: across it at the distance d from columns (ACI 318-19 7.4.3.2, 8.4.3.2).
 
 A cut runs straight across the plate, a column's share of it: to the middle between the column and the next ones beside
 it, or to the plate's edge. The shear force and what needs no links are means over the cut.
@@ -61,22 +61,38 @@ class Cut:
         return abs(self.mean(getattr(plate, f"shear_{'xy'[self.axis]}")))
 
 
+def cuts_from_edge_to_edge(results: CombinationResult, steel: Reinforcement) -> Iterator[Cut]:
+    """Yield those of the cuts that no other column has a share of: across pads, and across strips with columns along.
+
+    The section there is one of EN 1992-1-1 6.2.2, and of EN 1992-1-1:2023 8.2.2, at d from the face.
+    """
+    for column in results.model.columns:
+        for axis in (0, 1):
+            here = (column.x, column.y)[1 - axis]
+            others = [(other.x, other.y)[1 - axis] for other in results.model.columns]
+            if np.ptp([here, *others]) <= SAME * max(results.model.sides):
+                yield from _beside(results, steel, column, axis)
+
+
 def cuts(results: CombinationResult, steel: Reinforcement) -> Iterator[Cut]:
     """Yield the cuts on both sides of every column along x and along y, where they lie on the plate."""
+    for column in results.model.columns:
+        for axis in (0, 1):
+            yield from _beside(results, steel, column, axis)
+
+
+def _beside(results: CombinationResult, steel: Reinforcement, column: Column, axis: int) -> Iterator[Cut]:
+    """Yield the cuts on both sides of a column along an axis, where they lie on its plate."""
     model, columns = results.model, results.model.columns
     region = PlateRegion(model.plate, model.plates)
     plans = [outline(plate) for plate in results_by_plate(results).values()]
     mesh = Mesh(results.plate.nodes, results.plate.elements)
-    for column in columns:
-        plan = plans[region.plate_at((column.x, column.y))]
-        d = effective_depth(results, footprint_of(column), steel)
-        for axis in (0, 1):
-            half = column.extents[axis] / 2
-            for side in (-1.0, 1.0):
-                at = (column.x, column.y)[axis] + side * (half + d)
-                legs = _legs(plan, columns, column, axis, at)
-                if len(legs):
-                    yield _cut(mesh, axis, legs)
+    plan = plans[region.plate_at((column.x, column.y))]
+    far = column.extents[axis] / 2 + effective_depth(results, footprint_of(column), steel)
+    for side in (-1.0, 1.0):
+        legs = _legs(plan, columns, column, axis, (column.x, column.y)[axis] + side * far)
+        if len(legs):
+            yield _cut(mesh, axis, legs)
 
 
 def _legs(plan: Polygon | MultiPolygon, columns: tuple[Column, ...], column: Column, axis: int, at: float) -> Array:

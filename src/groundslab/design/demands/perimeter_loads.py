@@ -223,7 +223,7 @@ class PunchingShear:
     pressure: float  # of the ground inside [N]
     edge: float  # line force of the ground along the plate's edge inside [N]
     others: float  # other loads inside, and shear forces of beams across the perimeter [N]
-    supported: bool  # whether another support inside takes off a part of V, which is not counted
+    supported: bool  # whether another support acts inside; what it adds to V is counted, what it takes off is not
 
 
 @dataclass(frozen=True, slots=True)
@@ -284,7 +284,8 @@ def punching_shear(
     Of a column V is its force and the other loads inside less the ground's pressure there; of a pile its force and the
     pressure less the loads. What beams carry out of the perimeter does not punch. The edge's line force inside is taken
     off only where the case says so, but added in any case where it adds. What other supports inside take off is not
-    counted either, as each may stand on the perimeter itself; what they add is.
+    counted either, as each may stand on the perimeter itself; what they add is, which is on the safe side: a perimeter
+    around all of them is longer.
     """
     sign = -1.0 if punching.from_below else 1.0
     plate = results.plate
@@ -299,7 +300,7 @@ def punching_shear(
     along = [-sign * _force_of(results.supports[number]) for number in inside.supports]
     acting = sum((force for force in along if force[0] > 0), acting)
     moments = np.array(own_moments) + acting[1:] - acting[0] * center
-    supported = any(force[0] < 0 for force in along)
+    supported = any(force[0] for force in along)
     return PunchingShear(float(acting[0]), moments, float(pressure[0]), float(edge[0]), float(others[0]), supported)
 
 

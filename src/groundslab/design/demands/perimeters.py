@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 import numpy as np
 
 from groundslab.arrays import Array, Integers, Memo
-from groundslab.design.demands.line_properties import shape_of, total_length
+from groundslab.design.demands.line_properties import chains, shape_of, total_length
 from groundslab.errors import InputError, Issue
 from groundslab.fem.mesh import sides_on_boundary
 from groundslab.fem.shape_functions import lagrange
@@ -228,8 +228,8 @@ def perimeter_at(
 
     It runs around the footprint, with rounded corners, and ends where it meets the plate's edge (Figure 6.13), or runs
     straight out to one or several edges at a right angle, if that is shorter (Figure 6.15). Where the shortest one cuts
-    the plate from edge to edge, which is one-way shear, and the one all around lies on the plate, as on a pad, it is
-    the shortest of this one and those that run out to edges nearer than the opposite ones. Lengths of the free edge
+    the plate from edge to edge, which is one-way shear, it is the shortest of those that do not, all around or out to
+    edges nearer than the opposite ones, as on a pad; on a strip all of them do. Lengths of the free edge
     itself do not count, nor what lies in the shadow of openings (Figure 6.14). With `square` its corners are square, as
     those of ACI 318-19 22.6.4.1. It may run out to edges up to a setback `near` [m], by default the distance.
 
@@ -250,9 +250,10 @@ def perimeter_at(
     ways = [_cut_off(around, region) for region in regions]
     lengths = [total_length(way) for _, way in ways]
     shortest = int(np.argmin(lengths))
-    if _is_cut(ways[shortest][1]) and around.filled.covers(regions[0]):
+    if _is_cut(ways[shortest][1]):
         near_ones = [i for i, (edges, _) in enumerate(stretched) if all(_is_nearer(around, edge) for edge in edges)]
-        shortest = min((i for i in near_ones if not _is_cut(ways[i][1])), key=lengths.__getitem__, default=shortest)
+        around_it = (i for i in near_ones if not _is_cut(ways[i][1]) and _is_in_one(around, regions[i]))
+        shortest = min(around_it, key=lengths.__getitem__, default=shortest)
     inside, whole = ways[shortest]
     opened = not around.shadow.is_empty
     ring = _cut_off(around, regions[shortest], filled=True)[1] if opened else whole
@@ -268,6 +269,11 @@ def perimeter_at(
 def _is_cut(way: Array) -> bool:
     """Return whether legs (l, 2, 2) cut the plate from edge to edge; none at all do not."""
     return len(way) > 0 and shape_of(way) == "cut"
+
+
+def _is_in_one(around: Surroundings, region: Polygon) -> bool:
+    """Return whether the border of a region on the plate without openings is in one piece; sides of a strip part it."""
+    return len(chains(_cut_off(around, region, filled=True)[1])) == 1
 
 
 def _is_nearer(around: Surroundings, edge: NearEdge) -> bool:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from groundslab.design.basis.design_code import BeamRule, Clauses, DesignCode, FlangeRule, PunchingRule, ShearRule
+from groundslab.design.basis.wide_beam import cuts_from_edge_to_edge
 from groundslab.design.bending import BendingRule
 from groundslab.design.en1992 import beams, bending, detailing, shear
 from groundslab.design.en1992.case_materials import materials
@@ -36,6 +37,7 @@ EN1992 = DesignCode(
         check=one_way_shear.check,
         most_ratio=shear.MOST_BARS,
         reach=one_way_shear.reach,
+        cuts=cuts_from_edge_to_edge,
         struts_fail=one_way_shear.struts_fail,
     ),
     punching=PunchingRule(

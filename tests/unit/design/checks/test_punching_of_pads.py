@@ -11,6 +11,8 @@ import pytest
 import groundslab as gs
 from groundslab.design.basis.check import DesignCheck
 from groundslab.design.checks import check_design
+from groundslab.design.demands.perimeter_loads import footprint_of
+from groundslab.design.demands.perimeters import Openings, perimeter_at, surroundings
 from groundslab.model.model import Model
 
 #: A column of 0.4 m carries 1.35 x 800 kN; the depth is 0.5 m less the mean of 60 and 80 mm.
@@ -99,3 +101,29 @@ def test_a_strip_no_wider_than_its_column(code: str) -> None:
     x, p = plate.nodes[middle, 0], plate.pressure[middle]
     s = np.linspace(-3.0, -abs(shear.place[0]), 101)
     assert shear.demand == pytest.approx(np.trapezoid(np.interp(s, np.sort(x), p[np.argsort(x)]), s) / 1e3, rel=0.05)
+
+
+@pytest.mark.parametrize("code", ["EN 1992-1-1", "EN 1992-1-1:2023", "ACI 318"])
+def test_pads_are_checked_across(code: str) -> None:
+    """Beside punching, one-way shear at d from the face: 0.27 MPa on the 0.37 m beyond, over the whole width."""
+    made = check_design(gs.solve(pad(code, 2.0, 2.0))).checks
+    (shear,) = [each for each in made if each.name == "one-way shear"]
+    assert shear.demand == pytest.approx(1e3 * FORCE / 4 * (1.0 - SIDE / 2 - D), rel=0.02)
+    assert shear.steps[0].words == "shear force, mean over the cut"
+
+
+@pytest.mark.parametrize("code", ["EN 1992-1-1", "EN 1992-1-1:2023", "ACI 318"])
+def test_a_wide_column_at_the_edge_of_a_pad(code: str) -> None:
+    """On a pad of 4 m straight across is shorter than around three sides of 1.2 m and pi a; both are checked."""
+    model = pad(code, 4.0, 4.0)
+    column = model.columns[0].replace(x=1.4, width_x=1.2, width_y=1.2)
+    weight = gs.SelfWeight(unit_weight=100e3, case="G")
+    results = gs.solve(model.replace(columns=(column,), loads=(*model.loads, weight)))
+    made = check_design(results).checks
+    of_column = [each for each in made if "punching" in each.name or "two-way" in each.name]
+    assert of_column
+    assert all(each.demand is not None and "edge to edge" not in each.words for each in of_column)
+    assert any(each.name == "one-way shear" for each in made)
+    around = surroundings(results["U"].plate, footprint_of(column), 1.0, Openings())
+    for a in (D / 2, 2 * D):
+        assert perimeter_at(around, a).u == pytest.approx(3 * 1.2 + math.pi * a, rel=1e-3)

@@ -140,7 +140,8 @@ def test_punching_at_2d_by_hand() -> None:
 def test_a_support_inside_the_perimeter(code: str, about: str) -> None:
     """A pile under the column takes off a part: what holds without it holds; what does not is not judged.
 
-    What the pile adds as it pulls counts in full: it is on the safe side, and an anchor is no reason to give up.
+    What the pile adds as it pulls counts in full, on the safe side: what holds with it holds, what does not is not
+    judged, as no perimeter of the column alone has both.
     """
     supports = [{"kind": "point", "x": 0, "y": 0, "stiffness": "10 MN/m"}]
 
@@ -157,10 +158,11 @@ def test_a_support_inside_the_perimeter(code: str, about: str) -> None:
     assert (held.status, held.demand) == (bare.status, pytest.approx(bare.demand))
     (pulled,) = checked(100e3, -135e3)
     assert pulled.demand == pytest.approx(bare.demand + checked(200e3, 0.0)[0].demand - bare.demand, rel=1e-9)
+    assert [each.unjudged for each in checked(100e3, -9e6)] == [SUPPORT_INSIDE]
     (given_up,) = [each for each in checked(5e6, 4e6) if each.unjudged is not None]
     assert given_up.unjudged is SUPPORT_INSIDE
     assert given_up.status == "attention"
-    assert "(C1) have another support inside their perimeters; without what it takes off C1 uses" in given_up.words
+    assert "(C1) have another support inside their perimeters; with what it adds and" in given_up.words
     assert given_up.words.endswith(SUPPORT_INSIDE.do)
 
 

@@ -44,7 +44,7 @@ class TwoWay:
     pressure: float  # contact pressure inside [N]
     edge: float  # line force along the plate's edge inside [N]
     others: float  # other loads inside [N]
-    supported: bool  # whether another support inside takes off a part of V_u, which is not counted
+    supported: bool  # whether another support acts inside: in V_u is what it adds, not what it takes off
     place: tuple[float, float]  # of the column [m]
     error: Callable[[], float | None] = field(repr=False, compare=False)  # of v_u [Pa]
     transfer: aci318.Transfer | None = field(default=None, repr=False, compare=False)  # of a column or pile

@@ -6,8 +6,9 @@ checked: near columns as far as punching is, which is 2 d unless that perimeter 
 within 2 d of supports and of the forces on a floor whose punching is checked by TR34; within a thickness of free edges
 (a quarter of the width of a narrow slab), where the shear force along the edge is what the twisting moment has become;
 and near singular places. Beside line loads and footprints that are no columns it begins at d from them (`faces`), up
-to which no struts may fail by EN 1992-1-1. Nearer to columns ACI 318 asks for means across the slab
-(`basis/wide_beam`).
+to which no struts may fail by EN 1992-1-1. Beside columns means over cuts across the slab, at d from
+them, are checked, too (`basis/wide_beam`): by ACI 318 at all of them, by the others where no other column shares the
+cut, as on pads and strips.
 
 On ground with shear the line force along the slab's edge takes off shear forces beside it. The worse of both counts:
 with it at the edge, and with it as pressure over a strip (`edge_strip`), unless the case lets it relieve.

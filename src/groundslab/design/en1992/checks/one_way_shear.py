@@ -66,6 +66,9 @@ def _steps(steel: Reinforcement, demand: ShearDemand) -> Iterator[Step]:
     d = np.array([demand.d])
     yield from demand.force_steps("v_Ed", "6.2.1(1)")
     yield Step("effective depth", "d", demand.d, "m")
+    if demand.rho is None:
+        yield from demand.mean_steps("v_Rd,c", "v_Ed", "6.2.2(1), 6.2")
+        return
     yield Step("strength of the concrete", "f_ck", concrete.f_ck_shear / MEGA, "MPa", clause="Table 3.1")
     yield Step("partial factor", "gamma_C", concrete.gamma_c, clause="2.4.2.4")
     yield from demand.ratio_steps("rho_l", "v_Ed", "6.2.2(1); EN 1992-2 LL.123")

@@ -42,7 +42,7 @@ class Judged(NamedTuple):
 
     @property
     def supported(self) -> bool:
-        """Return whether a support inside takes off a part, which is not counted."""
+        """Return whether another support acts inside."""
         return self.stress.supported
 
     @property

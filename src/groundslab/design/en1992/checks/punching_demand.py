@@ -53,7 +53,7 @@ class Stress:
     V_Ed: float  # force that punches, less what relieves it inside [N]
     beta: float  # by the moments about the perimeter's center (expression 6.51)
     v_Ed: float  # beta V_Ed / (u d) [Pa]
-    supported: bool  # whether another support inside takes off a part of V_Ed, which is not counted
+    supported: bool  # whether another support acts inside: in V_Ed is what it adds, not what it takes off
     pressure: float  # contact pressure inside [N]
     edge: float  # line force along the plate's edge inside [N]
     others: float  # other loads inside [N]

@@ -78,9 +78,12 @@ def check(steel: Reinforcement, demand: ShearDemand) -> DesignCheck:
 def _steps(steel: Reinforcement, demand: ShearDemand) -> Iterator[Step]:
     """Yield the calculation at a place."""
     concrete, bars = materials(steel, demand.results.limit_state)
-    rho = min(demand.rho or 0.0, shear.MOST_BARS)
     yield from demand.force_steps("v_Ed", "8.2.1(5), 8.21")
     yield Step("effective depth", "d", demand.d, "m", clause="8.2.1(5)")
+    if demand.rho is None:
+        yield from demand.mean_steps("v_Rd,c", "v_Ed", "8.2.2(2), 8.27")
+        return
+    rho = min(demand.rho, shear.MOST_BARS)
     yield from in_shear(concrete, bars, demand.d)
     yield from demand.ratio_steps("rho_l", "v_Ed", "8.2.2(2), 8.28, 8.39")
     stress = float(shear.stress_without_links(concrete, bars, demand.d, rho)) / MEGA

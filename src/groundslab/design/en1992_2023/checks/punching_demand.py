@@ -53,7 +53,7 @@ class Punching:
     pressure: float  # contact pressure up to 0.67 d_v [N]
     edge: float  # line force along the plate's edge there [N]
     others: float  # other loads there [N]
-    supported: bool  # whether another support inside takes off a part of V_Ed, which is not counted
+    supported: bool  # whether another support acts inside: in V_Ed is what it adds, not what it takes off
     place: tuple[float, float]  # [m]
     error: Callable[[], float | None] = field(repr=False, compare=False)  # of the share used, as one of tau_Ed [Pa]
     section: CriticalSection | None = None  # of a column or pile
