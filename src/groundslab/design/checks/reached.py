@@ -18,7 +18,7 @@ from groundslab.design.basis.combinations import solved_results
 from groundslab.design.basis.demand_errors import error_of, scaled
 from groundslab.design.demands.support_forces import NOTHING, REACHED, Utilization, idle, limits_of, utilization
 from groundslab.model.loads.clipping import Clipped, find_clipped_loads
-from groundslab.model.loads.load_cases import STRENGTH
+from groundslab.model.loads.load_cases import SERVICEABILITY, STRENGTH
 from groundslab.model.plates.joints import ElasticJoint
 from groundslab.model.supports import AnySupport, LineSupport, Pile
 from groundslab.results.record import JointResult
@@ -26,6 +26,7 @@ from groundslab.results.results import CombinationResult, Results
 
 PILE, SUPPORT, WITHOUT = "pile force / resistance", "support force / limit", "resistance of piles"
 ONE_SIDED, PLAY, GROUND, CUT_OFF = "one-sided support", "play of a joint", "limit pressure", "loads cut off"
+ANCHORED = "supports that hold down"
 #: Ground has sunk in if by more than this share of the largest settlement.
 SUNK = 1e-6
 #: Of loads that are cut off so many are named.
@@ -42,6 +43,7 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
     if results:
         yield from _supports(results)
         yield from _without_resistance(results)
+        yield from _holding_down([result for result in results if result.limit_state not in SERVICEABILITY])
         yield from _joints(results)
         yield from _ground(results)
     yield from _cut_off(combined)
@@ -136,6 +138,22 @@ def _without_resistance(results: list[CombinationResult]) -> Iterator[DesignChec
         listed = "; ".join(words for words, _ in half[:MOST_NAMED]) + (" ..." if len(half) > MOST_NAMED else "")
         words = f"without a limit that way, {listed}"
         yield not_judged(WITHOUT, NO_LIMIT, words, clause="EN 1997-1 7.6.2, 7.6.3", combination=half[0][1])
+
+
+def _holding_down(results: list[CombinationResult]) -> Iterator[DesignCheck]:
+    """Yield which supports that are no piles hold the plate down by more than nothing, without a limit of that."""
+    pulls = []
+    for number, described in enumerate(results[0].model.supports if results else ()):
+        pile = not isinstance(described, LineSupport) and described.diameter is not None
+        if pile or limits_of(described)[1] < np.inf:
+            continue
+        force, worst = max(((-result.supports[number].total, result) for result in results), key=lambda pull: pull[0])
+        if force > NOTHING * max(abs(result.certificate.load) for result in results):
+            pulls.append((force, f'{worst.supports[number].name} {force / 1e3:.4g} kN in "{worst.combination}"'))
+    if pulls:
+        words = [each for _, each in sorted(pulls, reverse=True)]
+        listed = "; ".join(words[:MOST_NAMED]) + (" ..." if len(words) > MOST_NAMED else "")
+        yield not_judged(ANCHORED, NO_LIMIT, f"what holds the plate down has no limit, {listed}")
 
 
 def _error(described: AnySupport, number: int, results: CombinationResult, limit: float) -> float | None:

@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 
-from groundslab.analysis.driver import solve
+from groundslab.analysis.driver import solve, solve_combinations
 from groundslab.design.checks import DesignCheck, check_design
 from groundslab.model.model import Model
 
@@ -95,6 +95,44 @@ def test_ground_that_pulls_though_the_loads_press() -> None:
     assert "ground in tension" not in glued(-85e3, 2.6, contact={"tensionless": True})
     supports = [{"kind": "point", "x": 2.6, "y": 0.0, "stiffness": 1e6}]
     assert glued(-100e3, 2.6, supports=supports)["ground in tension"].status == "attention"
+
+
+SHEAR_GROUND = {"ground": {"kind": "pasternak", "k0": 20e6, "k1": 10e6}}
+OPTIONS: dict[str, dict[str, Any]] = {
+    "none": {},
+    "glued": {"contact": {"tensionless": False}},
+    "limit pressure": {"contact": {"limit_pressure": 200e3}},
+    "stiff plate": {"plate": SLAB["plate"] | {"E": 3e12}},
+    "stiff springs": {"ground": {"kind": "winkler", "k": 2e9}},
+    "ground with shear": SHEAR_GROUND,
+    "ground beyond": SHEAR_GROUND | {"beyond": {"kind": "infinite"}},
+    "anchors": {"supports": [{"kind": "point", "x": x, "y": y, "stiffness": 50e6} for x in (-2, 2) for y in (-1, 1)]},
+    "line": {"supports": [{"kind": "line", "points": [(x, -2.0), (x, 2.0)]} for x in (-2.0, 2.0)]},
+}
+
+
+@pytest.mark.parametrize("option", OPTIONS)
+@pytest.mark.parametrize("load", ["floats", "topples"])
+def test_options_hide_no_failure(option: str, load: str) -> None:
+    """Water of 9 kPa under 7.5 kPa, or 100 kN that pull at x = 2.6 m: a failure, or attention to what holds it down."""
+    lifting: dict[str, Any] = {
+        "floats": {"kind": "uniform", "q": -9e3, "case": "G"},
+        "topples": {"kind": "point", "P": -100e3, "x": 2.6, "y": 0.0, "case": "G"},
+    }
+    parts = {
+        "cases": [{"name": "G"}],
+        "loads": [WEIGHT, lifting[load]],
+        "combinations": [{"name": "C", "limit_state": "ultimate", "factors": {"G": 1.0}}],
+        "mesh": {"size": 1.0},
+    }
+    design = check_design(solve_combinations(Model(**SLAB | parts | OPTIONS[option])))
+    if "supports" in OPTIONS[option]:
+        (check,) = [each for each in design.checks if each.name == "supports that hold down"]
+        assert design.status == check.status == "attention"
+        assert check.words.startswith("not judged: what holds the plate down has no limit, ")
+    else:
+        assert design.status == "fails"
+        assert design.checks[0].foundation
 
 
 def test_supports_that_hold_the_slab_down() -> None:

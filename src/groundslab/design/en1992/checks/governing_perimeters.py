@@ -269,11 +269,11 @@ def _first_distances(site: _Site) -> tuple[list[float], str]:
         if isinstance(line, str):
             last, _ = _halved(before, distance, lambda a: not isinstance(site.line(a), str))
             good += [last] if last > before else []
-            return good, "" if good else line
+            return [*dict.fromkeys(good)], "" if good else line
         if good and not isinstance(known, str) and known.setbacks != line.setbacks:
             good += _halved(before, distance, partial(_runs_out_to, site, known.setbacks))
         good.append(distance)
-    return good, ""
+    return [*dict.fromkeys(good)], ""
 
 
 def _runs_out_to(site: _Site, setbacks: tuple[float, ...], distance: float) -> bool:
