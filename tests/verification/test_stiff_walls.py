@@ -181,9 +181,12 @@ def test_walls_end_to_end_are_one(backwards: bool) -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("size", [None, 0.1, 0.2])
+@pytest.mark.parametrize("size", [None, 0.1, 0.2, 0.3, 0.4])
 def test_the_largest_shear_force_does_not_depend_on_nodes(size: float | None) -> None:
-    """One thickness of the raft from a wall's end, 0.4 m: 139.1 kN within 1 kN, and accurate by default."""
+    """One thickness of the raft from a wall's end, 0.4 m: 139.1 kN within 1 kN, and accurate by default.
+
+    Elements of 0.3 m and more do not show how the force comes into the wall's end: within 4 kN and what is told.
+    """
     model = gs.Model(
         plate={"length_x": 8.0, "length_y": 5.0, "thickness": 0.4, "E": 30e9, "nu": 0.2},
         ground={"kind": "winkler", "k": 30e6},
@@ -196,5 +199,7 @@ def test_the_largest_shear_force_does_not_depend_on_nodes(size: float | None) ->
     table = next(table for table in tables_of(results) if table.name == "beams")
     (V,), (way,) = table["largest shear force"], table["from the start to this"]
     assert min(way, 6.0 - way) == pytest.approx(0.4)
-    assert abs(abs(V) - 139.1) < 1.0
+    (told,) = table["error of largest shear force"]
+    assert abs(abs(V) - 139.1) < (4.0 if size and size > 0.2 else 1.0)
+    assert abs(abs(V) - 139.1) < told + 0.1  # of which the reference is known
     assert size is not None or judge(results.only)[0].share < 0.05

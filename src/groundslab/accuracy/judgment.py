@@ -95,7 +95,7 @@ def _largest_of(results: CombinationResult) -> LargestValues:
         shear=float(shear[limits.shear_forces].max(initial=0.0)),
         pressure=float(np.abs(plate.pressure[limits.pressures]).max(initial=0.0)),
         support=max((abs(support.total) for support in results.supports), default=0.0),
-        beam_moment=max((float(np.abs(beam.moment).max()) for beam in results.beams), default=0.0),
+        beam_moment=max((float(np.abs(beam.between_ends(0.0).moment).max()) for beam in results.beams), default=0.0),
         beam_shear=max((_shear_of(beam, results) for beam in results.beams), default=0.0),
     )
 
@@ -139,8 +139,8 @@ def _of_beams(results: CombinationResult, coarser: CombinationResult | None) -> 
     coarser are the results on the coarser mesh, if there is one.
     """
     figures: dict[str, tuple[int, Callable[[BeamResult], float]]] = {
-        "moment of beams": (1, lambda beam: float(beam.moment.max())),
-        "least moment of beams": (-1, lambda beam: float(beam.moment.min())),
+        "moment of beams": (1, lambda beam: float(beam.between_ends(0.0).moment.max())),
+        "least moment of beams": (-1, lambda beam: float(beam.between_ends(0.0).moment.min())),
         "shear force of beams": (1, partial(_shear_of, results=results)),
     }
     for number, beam in enumerate(results.beams):

@@ -10,6 +10,11 @@ import numpy as np
 if TYPE_CHECKING:
     from groundslab.arrays import Array
 
+#: Places along a beam as close as this share of its length are one.
+SAME = 1e-9
+#: Into so many parts each step between a beam's places is divided, to find what is largest.
+PARTS = 4
+
 
 @dataclass(frozen=True, slots=True)
 class SupportResult:
@@ -159,21 +164,47 @@ class BeamResult:
     def between_ends(self, distance: float) -> BeamResult:
         """Return its part between places so far [m] from its ends, a quarter of the length of a short one.
 
-        Values at both places are linear between those beside them. A closed beam has no ends.
+        With places between its own, so that its largest values do not depend on where these are. A closed beam has no
+        ends.
         """
-        if self.closed:
-            return self
         length = float(self.way[-1])
-        low = min(distance, length / 4)
-        high = length - low
-        inside = (self.way > low) & (self.way < high)
+        low = 0.0 if self.closed else min(distance, length / 4)
+        some = np.flatnonzero(np.diff(self.way) > SAME * length)
+        steps = self.way[some, None] + np.diff(self.way)[some, None] * (np.arange(PARTS + 1) / PARTS)
+        # a place at which it goes on smoothly stands once
+        first = np.append(True, np.diff(some) > 1)
+        ways = steps[np.column_stack([first, np.ones((len(some), PARTS), dtype=bool)])]
+        inside = ways[(ways > low + SAME * length) & (ways < length - low - SAME * length)]
+        return self.at(np.concatenate([[low], inside, [length - low]]))
 
-        def part(values: Array) -> Array:
-            ends = np.array([np.interp([low, high], self.way, column) for column in np.atleast_2d(values.T)]).T
-            found = np.concatenate([ends[:1], np.reshape(values[inside], (-1, ends.shape[1])), ends[1:]])
-            return found if values.ndim == 2 else found[:, 0]
+    def at(self, ways: Array) -> BeamResult:
+        """Return it at other places along it, ways (k,) [m] from its start, in order.
 
-        return BeamResult(self.name, *(part(getattr(self, each.name)) for each in fields(self)[1:]))
+        Between two of its own places each value follows the parabolas through these and the next one on either side,
+        of which the nearer counts more; none reaches over a jump. Of a place that stands twice the first has the value
+        before it, the second the one after; one that stands alone the one after.
+        """
+        x, near = self.way, SAME * self.way[-1]
+        side = np.where(np.append(np.diff(ways) <= near, False), -near, near)
+        i = np.clip(np.searchsorted(x, ways + 2 * side) - 1, 0, len(x) - 2)
+        step = np.diff(x)
+        jumps = step <= near
+        step = np.where(jumps, 1.0, step)
+        # of each place but the ends: whether a parabola goes through it and those beside it, and its curvature's half
+        smooth = ~(jumps[:-1] | jumps[1:])
+        smooth, wide = np.pad(smooth, 1), np.pad(step[:-1] + step[1:], 1, constant_values=1.0)
+        part = np.clip((ways - x[i]) / step[i], 0.0, 1.0)
+        weights = np.stack([(1 - part) * smooth[i], part * smooth[i + 1]])
+        weights /= np.maximum(weights.sum(axis=0), np.finfo(float).tiny)
+
+        def of(values: Array) -> Array:
+            slope = (np.diff(values, axis=0).T / step).T
+            bent = (np.pad(np.diff(slope, axis=0), [(1, 1)] + [(0, 0)] * (values.ndim - 1)).T / wide).T
+            curved = (weights[0] * bent[i].T + weights[1] * bent[i + 1].T) * part * (part - 1) * step[i] ** 2
+            found: Array = values[i] + ((part * step[i]) * slope[i].T + curved).T
+            return found
+
+        return BeamResult(self.name, *(of(getattr(self, each.name)) for each in fields(self)[1:]))
 
 
 @dataclass(frozen=True, slots=True)

@@ -35,13 +35,8 @@ def carried_across(results: CombinationResult, starts: Array, ends: Array) -> Ar
                 if not (0 <= along <= 1 and 0 < way < ways[-1]):
                     continue
                 t = steps[piece] / lengths[piece]
-                M, V, T = (_at(result.way, each, way) for each in (result.moment, result.own_shear, result.torsion))
+                here = result.at(np.array([way, way]))  # where they jump, on both sides
+                M, V, T = (float(each.mean()) for each in (here.moment, here.own_shear, here.torsion))
                 onwards = np.sign(t @ forth)
                 found[number] += onwards * np.array([M * (t @ forth) + T * (np.array([-t[1], t[0]]) @ forth), V])
     return found
-
-
-def _at(ways: Array, values: Array, way: float) -> float:
-    """Return a value at a way along a beam (k,), the mean of both where it jumps."""
-    same = np.isclose(ways, way, rtol=0.0, atol=1e-9 * ways[-1])
-    return float(values[same].mean() if same.any() else np.interp(way, ways, values))

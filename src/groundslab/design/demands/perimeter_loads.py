@@ -208,8 +208,8 @@ class Crossing:
 
     def acting(self, results: CombinationResult) -> Array:
         """Return the beam's force on what is inside, downwards [N], and its first moments (3,) [N m]."""
-        beam = results.beams[self.beam]
-        M, V, T = (float(np.interp(self.way, beam.way, each)) for each in (beam.moment, beam.own_shear, beam.torsion))
+        beam = results.beams[self.beam].at(np.array([self.way]))
+        M, V, T = (float(each[0]) for each in (beam.moment, beam.own_shear, beam.torsion))
         left = np.array([-self.along[1], self.along[0]])
         return self.sign * np.array([V, *(V * self.place - M * self.along - T * left)])
 

@@ -45,7 +45,7 @@ def beam_table(combined: Results) -> Table:
     axial = [
         [beam.axial.max() / 1e3, beam.axial.min() / 1e3]
         for results in solved_results(combined)
-        for beam in results.beams
+        for beam in (each.between_ends(0.0) for each in results.beams)
     ]
     rows = [[*row, *own] for row, own in zip(rows, axial, strict=True)]
     return table_of("beams", "Beams", (*_HEADS, *_OF_AXIAL), rows, (*_NOTES, _NOTE_ON_AXIAL))
@@ -53,11 +53,11 @@ def beam_table(combined: Results) -> Table:
 
 def _figures(beam: BeamResult, away: float) -> list[Cell]:
     """Return the figures of a beam, in the order of the table; shear and torsion so far [m] from its ends."""
-    part = beam.between_ends(away)
-    top, low = int(np.argmax(beam.moment)), int(np.argmin(beam.moment))
+    whole, part = beam.between_ends(0.0), beam.between_ends(away)
+    top, low = int(np.argmax(whole.moment)), int(np.argmin(whole.moment))
     V, T = int(np.argmax(np.abs(part.shear))), int(np.argmax(np.abs(part.torsion)))
-    w = beam.settlement * 1e3
-    moments: list[Cell] = [beam.moment[top] / 1e3, beam.way[top], beam.moment[low] / 1e3, beam.way[low]]
+    w = whole.settlement * 1e3
+    moments: list[Cell] = [whole.moment[top] / 1e3, whole.way[top], whole.moment[low] / 1e3, whole.way[low]]
     return [*moments, part.shear[V] / 1e3, part.way[V], part.torsion[T] / 1e3, w.min(), w.max()]
 
 
