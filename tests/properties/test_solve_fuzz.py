@@ -197,6 +197,32 @@ def test_a_load_on_the_plate_that_nothing_can_carry(contact: dict[str, object], 
         solve(model)
 
 
+def test_a_slab_that_curls_off_the_ground_between_supports() -> None:
+    """Ground presses with newtons beside supports that hold a slab with 100 kN: none of its nodes pulls, and it counts.
+
+    Clamped along one side, held both ways along a line, it shrinks more below than above, and leans on 1 % of its area.
+    """
+    held = {"stiffness": 8e8, "acts": "both ways"}
+    model = Model(
+        plate={
+            "length_x": 2, "length_y": 9.5, "thickness": 0.333, "E": 23.3e9, "nu": 0.0, "edges": {"right": "clamped"},
+        },
+        ground={"kind": "pasternak", "k0": 4e7, "k1": 4e6},
+        beyond={"kind": "infinite"},
+        contact={"voids": [{"x": (0.75, 1.0), "y": (1.8, 4.75)}]},
+        supports=[
+            {"kind": "point", "x": 0.25, "y": -2.375, **held},
+            {"kind": "line", "points": [(0.75, -4.75), (0.75, 2.375)], **held},
+        ],
+        loads=[{"kind": "uniform", "q": 1e3}, {"kind": "shrinkage", "top": 3.4e-4, "bottom": -4.05e-4}],
+        mesh={"size": 2.0},
+    )  # fmt: skip
+    results = solve(model)
+    assert results.certificate.holds
+    assert 0 < results.plate.contact_share < 0.02
+    assert results.plate.pressure.min() >= -1e-9 * results.plate.pressure.max()
+
+
 @pytest.mark.parametrize("tensionless", [True, False])
 def test_a_case_without_loads(tensionless: bool) -> None:
     """A case in which nothing acts is refused where nothing holds the plate, and else gives nothing, certified."""

@@ -96,7 +96,8 @@ class _ContactIteration:
         system, level = self.step.system, self.step.level
         A = level.stiffness(column, gamma)
         f = right_hand_side(system, self.step.factor)
-        return ContactProblem(A, f, self.law, level.motions, system.problem.measures)
+        of_supports = system.problem.contact.bearing.support >= 0
+        return ContactProblem(A, f, self.law, level.motions, system.problem.measures, of_supports)
 
     def _refine(self, found: Contact, problem: ContactProblem) -> Contact:
         """Return a solution just found without the rounding of its factorization."""

@@ -22,8 +22,12 @@ from groundslab.solvers import interior_point
 from groundslab.solvers.factor_reuse import CachedFactorization, ConstrainedSystem
 
 #: A penetration of the wrong sign below this share of the largest displacement does not change a bearing's state, nor
-#: does a force that would make such a penetration on the unknown's own stiffness, or is so small beside the largest.
+#: does a force that would make such a penetration on the unknown's own stiffness, or is so small beside the largest of
+#: its kind: the ground may press with little beside supports that hold a slab as it curls.
 STATE_TOLERANCE = 1e-10
+#: Forces are told from rounding down to this share of the largest of all bearings, and of the unknown's own stiffness
+#: times the largest displacement.
+OF_ALL, OF_STIFFNESS = 1e-12, 1e-15
 #: The plate floats if the closed bearings resist one of its rigid motions by less than this share of what all bearings
 #: together would.
 FLOATING_RATIO = 1e-6
@@ -50,6 +54,7 @@ class ContactProblem:
     bearings: Bearings  # (c,)
     motions: Array | None = None  # (size, m): of the plate as a rigid body, against which only the bearings hold it
     measures: Measures | None = None  # what small displacements and forces are measured by; None if all are alike
+    of_supports: Flags | None = None  # (c,): bearings of supports, not of the ground; None if all are of one kind
 
     @property
     def measured_by(self) -> Measures:
@@ -192,9 +197,12 @@ def _next_states(problem: ContactProblem, found: Contact, measures: Measures) ->
     force, limit_force = found.force / lever, b.limit_force / lever
     penetration = b.penetration(found.u) * lever
     tolerance = STATE_TOLERANCE * measures.displacements(found.u)[b.unknown]
-    small = np.minimum(
-        tolerance * problem.A.diagonal[b.unknown] / lever**2, STATE_TOLERANCE * largest_of_parts(force, plate)
-    )
+    stiffness = problem.A.diagonal[b.unknown] / lever**2
+    kind = plate
+    if problem.of_supports is not None:
+        kind = 2 * (np.zeros(len(b), dtype=np.int64) if plate is None else plate + 1) + problem.of_supports
+    noise = np.maximum(OF_ALL * largest_of_parts(force, plate), OF_STIFFNESS / STATE_TOLERANCE * tolerance * stiffness)
+    small = np.minimum(tolerance * stiffness, np.maximum(STATE_TOLERANCE * largest_of_parts(force, kind), noise))
     at_yield = np.zeros(len(b))  # penetration
     elastic = np.isfinite(b.stiffness)
     at_yield[elastic] = b.limit_force[elastic] / b.stiffness[elastic] * lever[elastic]
