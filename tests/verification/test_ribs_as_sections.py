@@ -137,3 +137,28 @@ def test_the_slab_is_checked_beside_the_web() -> None:
     (check,) = (check for check in gs.check_design(results).checks if check.name == "one-way shear")
     assert check.place is not None
     assert abs(check.place[1]) >= 0.2 - 1e-9
+
+
+@pytest.mark.parametrize("torsion", ["resisted", "released"])
+def test_torsion_of_a_rib_by_statics(torsion: str) -> None:
+    """40 kN/m at 0.2 m from the axis between forks 8 m apart: 8 (4 - s) kNm, all but what a strip of 0.1 m carries.
+
+    J of the rib is 0.1406 0.4^4 = 0.0036 m4, that of the strip 0.4 0.1^3 (1 / 3 - 0.21 / 4) = 0.000112 m4: 97 %. A
+    released rib carries none of it.
+    """
+    from groundslab.model.structure.beams import torsion_constant
+
+    width, e, q = 0.4, 0.2, 40e3
+    load = {"kind": "line", "case": "G", "q": q, "points": [(-4.0, e), (4.0, e)]}
+    plate = {"length_x": 8.0, "length_y": width, "thickness": 0.1, "E": 30e9, "nu": 0.0}
+    lines = [{"kind": "line", "points": [(x, -width / 2), (x, width / 2)], "acts": "both ways"} for x in (-4.0, 4.0)]
+    section = {"kind": "rib", "width": width, "height": 0.4, "effective_width": width}
+    beam = {"name": "R", "points": [(-4.0, 0.0), (4.0, 0.0)], "section": section, "torsion": torsion}
+    model = rib(8.0, [], RIB, plate=plate, supports=lines, beams=[beam], loads=[load], reinforcement=None)
+    results = gs.solve(model)
+    own = results["ULS"].beams[0]
+    away = (own.way > H) & (own.way < 8 - H)
+    share = torsion_constant(width, 0.4) / (torsion_constant(width, 0.4) + torsion_constant(width, 0.1))
+    assert share == pytest.approx(0.97, abs=0.002)
+    wanted = np.abs(q * e * (4 - own.way[away])) * (share if torsion == "resisted" else 0.0)
+    assert np.abs(own.torsion[away]) == pytest.approx(wanted, abs=0.01 * q * e * 4)

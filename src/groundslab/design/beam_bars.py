@@ -2,9 +2,9 @@
 
 A rectangle takes its own moment. A rib acts as a T with its flange: the slab's moment over the flange's width adds to
 the rib's, and the shear force is the slope of both. Where the flange is compressed it counts with its effective width,
-as long as the neutral axis lies in it; else the rib's width counts alone, which is on the safe side. Torsion by
-compatibility needs no design (EN 1992-1-1 6.3.1(2), ACI 318-19 22.7.3.2); none other is looked at. Bars of the slab do
-not count.
+as long as the neutral axis lies in it; else the rib's width counts alone, which is on the safe side. All torsion that a
+beam has in the analysis is designed for; one that compatibility alone twists can be released from it (EN 1992-1-1
+6.3.1(2), ACI 318-19 22.7.3.2). Bars of the slab do not count.
 """
 
 from __future__ import annotations
@@ -17,6 +17,7 @@ import numpy as np
 from groundslab.arrays import Array, Integers
 from groundslab.design.basis.combinations import ultimate_results
 from groundslab.design.basis.design_code import TensionZone
+from groundslab.design.basis.webs import Web
 from groundslab.design.bending import Reinforcement as Bending
 from groundslab.design.codes import code_of
 from groundslab.design.demands.section_cuts import length_across, moments_across
@@ -27,8 +28,9 @@ from groundslab.model.structure.beams import Beam, GivenSection, RibSection
 from groundslab.results.record import BeamResult
 from groundslab.results.results import CombinationResult, Results
 
-#: What is looked for: bars at both faces, links, and bars across a rib between its web and flange.
-WHAT = ("bottom", "top", "links", "flange")
+#: What is looked for: bars at both faces, links, bars along for torsion, those across a rib between web and flange;
+#: how much of its concrete the web uses.
+WHAT = ("bottom", "top", "links", "torsion", "flange", "struts")
 #: So much of a piece's length beside its middle the plate's thickness is looked up.
 BESIDE = 1e-2
 #: Such a share of the way to the next place cuts across the flange move off the ends of a beam and places of jumps.
@@ -41,17 +43,23 @@ TIE = 1e-15
 
 @dataclass(frozen=True, slots=True)
 class BeamNeed:
-    """What a beam needs of bars at a face [m2], of links or bars across it [m2/m], where it needs most of them."""
+    """What a beam needs of bars at a face or for torsion [m2], of links or bars across it [m2/m], at its worst place.
+
+    Of "struts", the area is the share used of what the concrete of its web bears.
+    """
 
     beam: str
     what: str  # one of WHAT
     area: float  # inf where the concrete is too weak
-    least: float  # least bars where there is a moment, or least links
+    least: float  # least bars where there is a moment or torsion, or least links
     force: float  # design moment [N m], sagging positive, or shear force [N]
     way: float  # where, from the beam's start [m]
+    place: tuple[float, float]  # [m]
     combination: str
     stress: float = 0.0  # shear between web and flange [Pa]
     limit: float = 0.0  # of that what struts bear [Pa]
+    web: Web | None = None  # of links, torsion and struts: the section there with both forces
+    torsion: float = 0.0  # of these the torsional moment that counts, >= 0 [N m]
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,6 +71,11 @@ class _Section:
     compressed: tuple[float, float]  # width where the beam sags, where it hogs [m]
     flange: Array  # (k,): thickness of the flange [m]; infinite without one
     d: tuple[Array, Array]  # (k,) each: effective depth where it sags, where it hogs [m]
+
+    def webs(self, part: BeamResult, *, released: bool) -> Web:
+        """Return the webs at the places, with what they carry."""
+        d = np.minimum(*self.d)
+        return Web(np.abs(part.shear), np.abs(part.torsion), self.b, self.h, d, float((self.h - d).max()), released)
 
     def tension(self, face: int) -> TensionZone:
         """Return the zone in tension before it cracks, at the bottom where it sags (face 0) or at the top (1)."""
@@ -137,30 +150,38 @@ def _needs(results: CombinationResult, number: int, beam: Beam, steel: Reinforce
     required = code.bending(steel, state).required
     M = own.moment
 
-    def need(what: str, area: Array, least: Array, force: Array, ways: Array) -> BeamNeed:
+    def need(what: str, area: Array, least: Array, force: Array, ways: Array) -> tuple[BeamNeed, int]:
         wanted = np.maximum(area, least)
         most = int(np.argmax(wanted + TIE * np.abs(force)))
-        return BeamNeed(own.name, what, float(wanted[most]), float(least[most]), float(force[most]),
-                        float(ways[most]), results.combination)  # fmt: skip
+        way = float(ways[most])
+        return BeamNeed(own.name, what, float(wanted[most]), float(least[most]), float(force[most]), way,
+                        _place(own, way), results.combination), most  # fmt: skip
 
     for face, (what, sign) in enumerate((("bottom", 1.0), ("top", -1.0))):
         m = np.maximum(sign * M, 0.0)
         area = _bars(required, m, section, face)
         least = code.beams.minimum(steel, state, section.tension(face))
-        yield need(what, area, np.where(m > 0, least, 0.0), np.where(m > 0, M, 0.0), own.way)
+        yield need(what, area, np.where(m > 0, least, 0.0), np.where(m > 0, M, 0.0), own.way)[0]
     part = own.between_ends(float(np.minimum(*section.d).min()))
     section = _section(results, beam, part, steel)
-    V, d = part.shear, np.minimum(*section.d)
-    v = np.abs(V) / section.b
-    links, least = np.empty(len(v)), np.empty(len(v))
-    for depth in np.unique(d):
-        some = d == depth
-        links[some] = code.beams.links(steel, state, v[some], float(depth)) * section.b
-        least[some] = code.beams.links(steel, state, np.zeros(1), float(depth)) * section.b
-    yield need("links", links, least, V, part.way)
+    webs = section.webs(part, released=beam.torsion == "released")
+    found = code.beams.web(steel, state, webs)
+    for what, area, least in (
+        ("links", found.links, found.least_links),
+        ("torsion", found.along, found.least_along),
+        ("struts", found.used, np.zeros(len(found.used))),
+    ):
+        most, place = need(what, area, least, part.shear, part.way)
+        yield replace(most, web=webs.at(place), torsion=float(found.torsion[place]))
     if isinstance(beam.section, RibSection):
         share = np.interp(part.way, own.way, _larger_side(results, own, section))
         yield _flange_need(results, part, section, share, steel)
+
+
+def _place(own: BeamResult, way: float) -> tuple[float, float]:
+    """Return the place so far along a beam [m]."""
+    x, y = (float(np.interp(way, own.way, column)) for column in own.nodes.T)
+    return x, y
 
 
 def _flange_need(
@@ -177,7 +198,7 @@ def _flange_need(
     most = int(np.argmax(area + TIE * stress))
     force, way = float(part.shear[most]), float(part.way[most])
     limit = rule.limit(steel, state)
-    return BeamNeed(part.name, "flange", float(area[most]), 0.0, force, way, results.combination,
+    return BeamNeed(part.name, "flange", float(area[most]), 0.0, force, way, _place(part, way), results.combination,
                     float(stress[most]), limit)  # fmt: skip
 
 

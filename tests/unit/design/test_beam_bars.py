@@ -14,6 +14,7 @@ from groundslab.design.basis.check import GIVEN_SECTION
 from groundslab.design.beam_bars import BeamNeed, beam_needs
 from groundslab.design.result_tables import table_makers
 from groundslab.results.record import BeamResult
+from helpers.calculations import follow
 
 E, T, AXIS = 30e9, 0.25, 0.05
 RECTANGLE = {"kind": "rectangle", "width": 0.4, "height": 0.8}
@@ -29,12 +30,22 @@ def results(
     slab: float = 0.0,
     annex: str = "recommended",
     bar_axis: float = AXIS,
+    torsion: float = 0.0,
+    released: bool = False,
 ) -> gs.Results:
-    """Return results in which a beam has a moment in its middle, and a shear force beside it; m_x of the slab."""
+    """Return results in which a beam has a moment in its middle, V and T beside it; m_x of the slab."""
     model = gs.Model(
         plate={"length_x": 8.0, "length_y": 4.0, "thickness": T, "E": E, "nu": 0.2} | (plate or {}),
         ground={"kind": "winkler", "k": 20e6},
-        beams=[{"name": "B", "points": [(-4.0, 0.0), (4.0, 0.0)], "section": section, "bar_axis": bar_axis}],
+        beams=[
+            {
+                "name": "B",
+                "points": [(-4.0, 0.0), (4.0, 0.0)],
+                "section": section,
+                "bar_axis": bar_axis,
+                "torsion": "released" if released else "resisted",
+            }
+        ],
         cases=[{"name": "G"}],
         loads=[{"kind": "uniform", "q": 10e3, "case": "G"}],
         combinations=[{"name": "ULS", "factors": {"G": 1.35}, "limit_state": "ultimate"}],
@@ -51,7 +62,8 @@ def results(
         0 * way,
         moment * np.array([0, 0.2, 0.5, 1, 0.5, 0.2, 0]),
         shear * np.array([5.0, 0.2, 0.2, 0, -1, -1, 5.0]),
-        *(0 * way,) * 4,
+        torsion * np.array([5.0, 0.2, 0.2, 0, -1, -1, 5.0]),
+        *(0 * way,) * 3,
     )
     nothing = np.zeros(len(solved["ULS"].plate.nodes))
     plain = replace(solved["ULS"].plate, moment_x=nothing + slab, moment_y=nothing, moment_xy=nothing)
@@ -145,10 +157,10 @@ def test_beams_by_aci_318() -> None:
 
 
 def test_checks_and_tables_say_it() -> None:
-    """The table has three rows with the areas; a section that is too weak fails; steel is not judged."""
+    """The table has a row for each with the areas; a section that is too weak fails; steel is not judged."""
     combined = results(RECTANGLE, 500e3, 600e3)
     table = table_makers(combined)["beam_reinforcement"]()
-    assert table["bars"] == ("bottom", "top", "links")
+    assert table["bars"] == ("bottom", "top", "links", "torsion")
     assert table["required area"][0] == pytest.approx(bars(500e3, 0.4, 0.75, 20e6, 500e6 / 1.15) * 1e4)
     assert table["required links"][:2] == (None, None)
     (check,) = (each for each in gs.check_design(combined).checks if each.name == "beams")
@@ -247,3 +259,109 @@ def test_an_eccentric_rib_needs_what_one_with_an_effective_width_does() -> None:
     own = {key: value for key, value in RIB.items() if key != "effective_width"} | {"eccentric": True}
     assert needs(own, 300e3, 0.0, slab=10e3)["bottom"].force == pytest.approx(300e3 + 0.4 * 10e3)
     assert concentric.force == pytest.approx(300e3 + 2.0 * 10e3)
+
+
+def test_torsion_by_en_1992() -> None:
+    """6.3.2 by hand: 0.4 m by 0.8 m, C30/37, V 200 kN and T 60 kNm.
+
+    t_ef = 0.32 / 2.4 = 0.1333 m, A_k = 0.2667 0.6667 = 0.17778 m2, u_k = 1.8667 m; tau_t = 1.2656 MPa beside 0.7407 MPa
+    of shear, of nu f_cd / 2 = 5.28 MPa: 0.380. With cot theta = 2.5 links of (296.3 + 337.5) kN/m / (434.8 MPa 2.5) =
+    5.831 cm2/m and 60 kNm 1.8667 m 2.5 / (2 0.17778 m2 434.8 MPa) = 18.11 cm2 along. In Germany struts of torsion bear
+    0.525 instead of 0.75: 1.2656 / (0.7 6.375) = 0.2836.
+    """
+    found = needs(RECTANGLE, 100e3, 200e3, torsion=60e3)
+    assert found["links"].area * 1e4 == pytest.approx(5.831, abs=1e-3)
+    assert found["torsion"].area * 1e4 == pytest.approx(18.11, abs=5e-3)
+    assert (found["torsion"].torsion, found["torsion"].force) == (60e3, -200e3)
+    assert found["struts"].area == pytest.approx(0.3800, abs=1e-4)
+    assert needs(RECTANGLE, 100e3, 0.0, torsion=60e3, annex="Germany")["struts"].area == pytest.approx(0.2836, abs=1e-4)
+    # struts of both together fail where each alone would not: 0.7 + 0.36 of what they bear
+    assert needs(RECTANGLE, 100e3, 1.0e6)["struts"].area == pytest.approx(1.0e6 / (0.4 * 0.675) / 5.28e6, rel=1e-6)
+    for what in ("links", "torsion"):
+        assert math.isinf(needs(RECTANGLE, 100e3, 1.0e6, torsion=90e3)[what].area)
+
+
+def test_steeper_struts_take_more_links_and_fewer_bars_along() -> None:
+    """800 kN and 60 kNm use (2.963 + 1.266) / 5.28 = 0.801: cot theta = (1 + (1 - 0.801^2)^(1/2)) / 0.801 = 1.996."""
+    found = needs(RECTANGLE, 100e3, 800e3, torsion=60e3)
+    used = (2.962963 + 1.265625) / 5.28
+    cot = (1 + math.sqrt(1 - used**2)) / used
+    assert cot == pytest.approx(1.996, abs=1e-3)
+    both = 800e3 / 0.675 + 60e3 / 0.1777778
+    assert found["links"].area == pytest.approx(both / (500e6 / 1.15 * cot), rel=1e-5)
+    assert found["torsion"].area == pytest.approx(60e3 * 1.866667 * cot / (2 * 0.1777778 * 500e6 / 1.15), rel=1e-5)
+
+
+def test_torsion_by_en_1992_2023() -> None:
+    """8.3 by hand, as above: nu f_cd = 0.5 17 MPa, 0.472 used; torsion at 45 degrees, shear at cot theta = 2.5."""
+    found = needs(RECTANGLE, 100e3, 200e3, "EN 1992-1-1:2023", torsion=60e3)
+    assert found["struts"].area == pytest.approx(0.4721, abs=1e-4)
+    assert found["links"].area * 1e4 == pytest.approx(2.726 + 7.763, abs=1e-3)
+    assert found["torsion"].area * 1e4 == pytest.approx(7.245, abs=1e-3)
+    assert math.isinf(needs(RECTANGLE, 100e3, 1.0e6, "EN 1992-1-1:2023", torsion=30e3)["links"].area)
+
+
+def test_torsion_by_aci_318() -> None:
+    """22.7 by hand: phi T_th = 0.75 0.083 30^(1/2) 0.32^2 / 2.4 = 14.55 kNm; A_oh = 0.21 m2, p_h = 2 m, f_yt 420 MPa.
+
+    60 kNm: a leg of 5.336 cm2/m, no links for 200 kN below phi V_c = 209.5 kN; A_l = 10.67 cm2, least 6.86 cm2; of the
+    concrete (0.6667^2 + 1.6006^2)^(1/2) / 3.4096 = 0.5086. Released: phi T_cr = 57.8 kNm. Below T_th nothing.
+    """
+    found = needs(RECTANGLE, 100e3, 200e3, "ACI 318", torsion=60e3)
+    assert found["links"].area * 1e4 == pytest.approx(10.671, abs=1e-3)
+    assert found["torsion"].area * 1e4 == pytest.approx(10.671, abs=1e-3)
+    assert found["torsion"].least * 1e4 == pytest.approx(6.856, abs=2e-3)
+    assert found["struts"].area == pytest.approx(0.5086, abs=1e-4)
+    little = needs(RECTANGLE, 100e3, 200e3, "ACI 318", torsion=14.5e3)
+    assert (little["torsion"].area, little["torsion"].torsion) == (0.0, 0.0)
+    assert needs(RECTANGLE, 100e3, 0.0, "ACI 318", torsion=14.6e3)["torsion"].area > 0
+    released = needs(RECTANGLE, 100e3, 200e3, "ACI 318", released=True)["torsion"]
+    assert released.torsion == pytest.approx(57.84e3, rel=1e-3)
+    assert released.area * 1e4 == pytest.approx(10.671 * 57.84 / 60, rel=1e-3)
+    assert needs(RECTANGLE, 100e3, 200e3, released=True)["torsion"].area == 0.0
+
+
+def test_a_web_too_narrow_for_its_bars_resists_no_torsion() -> None:
+    """Bars 0.1 m from the faces of a web of 0.2 m enclose nothing, by any code."""
+    narrow = {"kind": "rectangle", "width": 0.2, "height": 0.8}
+    for code in ("EN 1992-1-1", "EN 1992-1-1:2023", "ACI 318"):
+        assert math.isinf(needs(narrow, 10e3, 10e3, code, torsion=20e3, bar_axis=0.1)["links"].area)
+        assert math.isfinite(needs(narrow, 10e3, 10e3, code, bar_axis=0.1)["links"].area)
+
+
+def test_the_check_of_webs_and_its_table() -> None:
+    """The check names both forces and what they use; the table has T beside V in the rows of links and torsion."""
+    combined = results(RECTANGLE, 100e3, 200e3, torsion=60e3)
+    (check,) = (each for each in gs.check_design(combined).checks if each.name == "webs of beams")
+    assert check.status == "no failure found"
+    assert check.demand == pytest.approx(0.3800, abs=1e-4)
+    assert "200 kN with 60 kNm of torsion" in check.words
+    assert "links of 5.83 cm2/m, and 18.1 cm2 of bars along it" in check.words
+    table = table_makers(combined)["beam_reinforcement"]()
+    assert table["shear force"][2:4] == pytest.approx((-200.0, -200.0))
+    assert table["torsional moment"][2:4] == pytest.approx((60.0, 60.0))
+    (check,) = (
+        each for each in gs.check_design(results(RECTANGLE, 100e3, 1.0e6, torsion=90e3)).checks
+        if each.name == "webs of beams"
+    )  # fmt: skip
+    assert (check.status, check.of) == ("fails", "B")
+
+
+@pytest.mark.parametrize("code", ["EN 1992-1-1", "EN 1992-1-1:2023", "ACI 318"])
+@pytest.mark.parametrize(
+    ("V", "T", "released"), [(200e3, 60e3, False), (800e3, 60e3, False), (10e3, 0.0, True), (1e6, 90e3, False)]
+)
+def test_calculations_of_webs_can_be_followed(code: str, V: float, T: float, *, released: bool) -> None:
+    """Every formula with the values above it gives what stands beside it, and the table's links and bars are there."""
+    combined = results(RECTANGLE, 100e3, V, code, torsion=T, released=released)
+    makers = table_makers(combined)
+    table, bars = makers["calculations"](), makers["beam_reinforcement"]()
+    assert follow(table) > 10
+    rows = zip(table["check"], table["symbol"], table["value"], strict=True)
+    values = {symbol: value for check, symbol, value in rows if check == "links of beams"}
+    links = bars["required links"][2]
+    assert isinstance(links, float)
+    if math.isfinite(links):
+        assert values["a_v" if code == "ACI 318" else "a_sw"] == pytest.approx(links, rel=1e-9)
+    else:
+        assert values["eta"] > 1

@@ -54,8 +54,10 @@ ACI318 = DesignCode(
     ),
     beams=BeamRule(
         minimum=beams.minimum,
-        links=beams.links,
-        clauses="22.3, 22.5, 9.6.1.2, 9.6.3.4",
+        web=beams.web,
+        web_steps=beams.web_steps,
+        clauses="22.3, 9.6.1.2",
+        web_clauses="22.5, 22.7, 9.6.3.4, 9.6.4",
         flange=FlangeRule(beams.flange_bars, beams.flange_limit, "22.9"),
     ),
     bars=bars.checks,

@@ -17,6 +17,8 @@ from groundslab.arrays import Array
 from groundslab.design.aci318.materials import PHI_SHEAR, Concrete, Steel
 
 _MPA = 1e6
+#: v_c with links, and the most that links add, over (f'c)^(1/2) d (Table 22.5.5.1 (a), 22.5.1.2).
+WITH_LINKS, BY_LINKS = 0.17, 0.66
 #: The formulas of the functions here, with forces per width in MN/m, stresses in MPa and lengths in m.
 FORMULAS = {
     "v_c": "min(0.66 * lambda_s * rho_w^(1/3), 0.42) * r * d",
@@ -33,8 +35,8 @@ def without_links(concrete: Concrete, d: Array, rho: Array) -> Array:
 
 def links(v_u: float, d: float, concrete: Concrete, steel: Steel) -> float:
     """Return links per area of the plan [m2/m2] for a factored shear force v_u [N/m]; inf where none help."""
-    most = PHI_SHEAR * (0.17 + 0.66) * concrete.root * d
+    most = PHI_SHEAR * (WITH_LINKS + BY_LINKS) * concrete.root * d
     if v_u > most:
         return float("inf")
     least = max(0.062 * concrete.root, 0.35 * _MPA) / steel.f_yt
-    return float(max((v_u / PHI_SHEAR - 0.17 * concrete.root * d) / (steel.f_yt * d), least))
+    return float(max((v_u / PHI_SHEAR - WITH_LINKS * concrete.root * d) / (steel.f_yt * d), least))

@@ -17,6 +17,7 @@ from groundslab.design.basis.check import NO_RULE, DesignCheck, not_judged
 from groundslab.design.basis.detailing_rule import DetailingRule
 from groundslab.design.basis.punching import Heads, PunchingColumns
 from groundslab.design.basis.shear_demand import ShearDemand
+from groundslab.design.basis.webs import Web, WebNeed
 from groundslab.design.basis.wide_beam import Cut
 from groundslab.design.bending import BendingRule
 from groundslab.design.demands.perimeter_loads import Reach
@@ -150,18 +151,23 @@ class BeamRule:
     ----------
     minimum : callable
         Of materials, a limit state and a zone in tension: the least bars in it (k,) [m2].
-    links : callable
-        Of materials, a limit state, shear forces over the width of the web (n,) [N/m] and a depth [m]: links per area
-        in plan (n,) [m2/m2], not less than the least ones; inf where none help.
+    web : callable
+        Of materials, a limit state and webs (k,): the links and the bars along them that shear and torsion need.
+    web_steps : callable
+        Likewise of one web: the calculation of these.
     clauses : str
-        Where the code rules these.
+        Where the code rules bars and their least area.
+    web_clauses : str
+        Where it rules links and torsion.
     flange : FlangeRule
         The shear between web and flange.
     """
 
     minimum: Callable[[Reinforcement, str, TensionZone], Array]
-    links: Callable[[Reinforcement, str, Array, float], Array]
+    web: Callable[[Reinforcement, str, Web], WebNeed]
+    web_steps: Callable[[Reinforcement, str, Web], Iterator[Step]]
     clauses: str
+    web_clauses: str
     flange: FlangeRule
 
 

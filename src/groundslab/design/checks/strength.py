@@ -66,21 +66,42 @@ def _beams(combined: Results, code: DesignCode) -> Iterator[DesignCheck]:
         return
     if flanges := [need for need in needs if need.what == "flange"]:
         yield _flanges(flanges, f"{code.name} {code.beams.flange.clauses}")
-        needs = [need for need in needs if need.what != "flange"]
+    yield _webs(needs, f"{code.name} {code.beams.web_clauses}")
+    bars = [need for need in needs if need.what in ("bottom", "top")]
     clause = f"{code.name} {code.beams.clauses}"
-    failing = [need for need in needs if np.isinf(need.area)]
+    failing = [need for need in bars if np.isinf(need.area)]
     if not failing:
-        most = max((need for need in needs if need.what != "links"), key=lambda need: need.area)
+        most = max(bars, key=lambda need: need.area)
         words = f"they can be reinforced; most at the {most.what} of {most.beam}, {most.area * 1e4:.4g} cm2"
         yield DesignCheck("beams", "no failure found", words, clause=clause)
         return
     worst = failing[0]
-    force = f"{worst.force / 1e3:.4g} {'kN' if worst.what == 'links' else 'kNm'}"
     words = (
         f"the concrete of {len({need.beam for need in failing})} of them is too weak for any reinforcement; "
-        f'{worst.beam}, {worst.what}, {worst.way:.2f} m from its start: {force} in "{worst.combination}"'
+        f"{worst.beam}, {worst.what}, {worst.way:.2f} m from its start: {worst.force / 1e3:.4g} kNm in "
+        f'"{worst.combination}"'
     )
     yield DesignCheck("beams", "fails", words, of=worst.beam, combination=worst.combination, clause=clause)
+
+
+def _webs(needs: list[beam_bars.BeamNeed], clause: str) -> DesignCheck:
+    """Return whether the concrete of webs bears shear and torsion, with the links and bars along that these take."""
+    worst = max((need for need in needs if need.what == "struts"), key=lambda need: need.area)
+    V, T, used = abs(worst.force) / 1e3, worst.torsion / 1e3, worst.area
+    words = (
+        f"{V:.4g} kN with {T:.4g} kNm of torsion use {used:.3g} of what the web of {worst.beam} bears "
+        f"{worst.way:.2f} m from its start"
+    )
+    if used <= 1:
+        links, along = (
+            next(need.area * 1e4 for need in needs if (need.what, need.beam) == (what, worst.beam))
+            for what in ("links", "torsion")
+        )
+        words += f"; it needs links of {links:.3g} cm2/m, and {along:.3g} cm2 of bars along it for torsion"
+    return DesignCheck(
+        "webs of beams", "no failure found" if used <= 1 else "fails", words, of=worst.beam, demand=used,
+        resistance=1.0, combination=worst.combination, place=worst.place, clause=clause,
+    )  # fmt: skip
 
 
 def _flanges(needs: list[beam_bars.BeamNeed], clause: str) -> DesignCheck:
@@ -95,7 +116,7 @@ def _flanges(needs: list[beam_bars.BeamNeed], clause: str) -> DesignCheck:
         words += f"; it needs {worst.area * 1e4:.3g} cm2/m of bars across it, those of the slab among them"
     return DesignCheck(
         "flanges", "no failure found" if used <= 1 else "fails", words, of=worst.beam, demand=worst.stress / 1e6,
-        resistance=worst.limit / 1e6, unit="MPa", combination=worst.combination, clause=clause,
+        resistance=worst.limit / 1e6, unit="MPa", combination=worst.combination, place=worst.place, clause=clause,
     )  # fmt: skip
 
 

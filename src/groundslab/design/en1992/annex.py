@@ -34,6 +34,7 @@ class Annex:
     most_f_ck_shear: float
     lever_by_cover: bool
     nu: tuple[float, float, float]
+    torsion_struts: float
     flattest: float
     crack_friction: float
     c_rd_c_punching: float

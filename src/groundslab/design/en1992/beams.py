@@ -1,4 +1,13 @@
-"""Beams by EN 1992-1-1 beyond what they share with slabs: least bars (9.2.1.1(1)), links (6.2.3, 9.2.2(5)), flanges.
+"""Beams by EN 1992-1-1 beyond what they share with slabs: least bars (9.2.1.1(1)), links, torsion, flanges.
+
+Links carry shear (6.2.3) and the walls of a tube torsion (6.3.2), with struts of one inclination, of which both use up
+
+    T_Ed / T_Rd,max + V_Ed / V_Rd,max <= 1,  T_Rd,max = 2 nu f_cd A_k t_ef / (cot theta + tan theta)      6.29, 6.30
+    A_sw / s = (V_Ed / z + T_Ed / A_k) / (f_ywd cot theta)                     6.8, 6.3.2(2), all legs of closed links
+    A_sl = T_Ed u_k cot theta / (2 A_k f_yd)                                                               6.28
+
+That small forces need the least links alone (6.31) is not made use of. With cracks that friction bears (in Germany)
+the flattest struts are those under the stresses of both.
 
 Between a web and its flange of thickness h_f (6.2.4), for one of both sides:
 
@@ -12,13 +21,21 @@ most 1.2 in compressed flanges and 1.0 in those in tension, which is within what
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import numpy as np
 
 from groundslab.arrays import Array, Flags
+from groundslab.design.basis.bending_steps import CM2
+from groundslab.design.basis.calculation import MEGA, Step
 from groundslab.design.basis.design_code import TensionZone
+from groundslab.design.basis.webs import Web, WebNeed, force_steps
 from groundslab.design.en1992 import bending, shear
 from groundslab.design.en1992.case_materials import largest_cover, materials
-from groundslab.design.eurocode2.struts import LEVER, links_by_struts
+from groundslab.design.en1992.materials import Concrete
+from groundslab.design.eurocode2 import torsion
+from groundslab.design.eurocode2.struts import LEVER, Links, links_by_struts
+from groundslab.design.eurocode2.torsion import Tube
 from groundslab.model.design.reinforcement import Reinforcement
 
 #: The largest cot theta_f of compressed flanges, and of those in tension (6.2.4(4)).
@@ -52,8 +69,64 @@ def flange_limit(steel: Reinforcement, limit_state: str) -> float:
     return materials(steel, limit_state)[0].strut / 2
 
 
-def links(steel: Reinforcement, limit_state: str, v: Array, d: float) -> Array:
-    """Return links per area in plan (n,) [m2/m2] for shear forces over the width (n,) [N/m]; inf where none help."""
+def web(steel: Reinforcement, limit_state: str, webs: Web) -> WebNeed:
+    """Return the links and the bars along the beam that webs (k,) need."""
     concrete, bars = materials(steel, limit_state)
-    found = shear.required_links(v, np.full(len(v), d), concrete, bars, largest_cover(steel)).area
-    return np.asarray(np.maximum(found, shear.minimum_beam_links(concrete, bars)))
+    tube, z = Tube.of(webs), shear.lever(concrete, webs.d, largest_cover(steel))
+    tau, v, struts = tube.stress(webs.T), _shear_of_both(steel, concrete, webs), _struts(steel, limit_state, webs)
+    links = np.where(struts.fails, np.inf, (webs.V / z + 2 * tube.wall * tau) / (bars.f_yd * struts.cot_theta))
+    along = np.where(struts.fails, np.inf, tau * tube.wall * tube.length * struts.cot_theta / bars.f_yd)
+    least = np.full(len(v), shear.minimum_beam_links(concrete, bars) * webs.b)
+    return WebNeed(np.maximum(links, least), least, along, np.zeros(len(v)), 2 * v / (z * concrete.strut), webs.T)
+
+
+def _shear_of_both(steel: Reinforcement, concrete: Concrete, webs: Web) -> Array:
+    """Return the shear forces per width (k,) [N/m] that ask of struts what shear and torsion do together (6.29)."""
+    z = shear.lever(concrete, webs.d, largest_cover(steel))
+    return np.asarray(webs.V / webs.b + Tube.of(webs).stress(webs.T) * z / concrete.annex.torsion_struts)
+
+
+def _struts(steel: Reinforcement, limit_state: str, webs: Web) -> Links:
+    """Return the struts of webs (k,), of one inclination for shear and torsion."""
+    concrete, bars = materials(steel, limit_state)
+    v = _shear_of_both(steel, concrete, webs)
+    return shear.required_links(v, webs.d, concrete, bars, largest_cover(steel))
+
+
+def web_steps(steel: Reinforcement, limit_state: str, webs: Web) -> Iterator[Step]:
+    """Yield the calculation of links and bars along the beam at one web."""
+    concrete, bars = materials(steel, limit_state)
+    cover, need = largest_cover(steel), web(steel, limit_state, webs)
+    yield from force_steps(webs, ("V_Ed", "T_Ed"))
+    z, formula = float(shear.lever(concrete, webs.d, cover)[0]), f"{LEVER:g} * d"
+    if concrete.annex.lever_by_cover:
+        yield Step("largest cover of longitudinal bars", "c", cover, "m", clause="6.2.3(1) of the annex")
+        formula = f"min({formula}, max(d - 2 * c, d - c - {shear.COVER_LESS:g}))"
+    yield Step("lever arm", "z", z, "m", formula, "6.2.3(1)")
+    yield Step("strength of struts", "f_nu", concrete.strut / MEGA, "MPa", clause="6.2.2(6), 6.2.3(3)")
+    most = "most that struts bear, at 45 degrees"
+    V_max = webs.b * z * concrete.strut / 2 / MEGA
+    yield Step(most, "V_Rd,max", V_max, "MN", "b_w * z * f_nu / 2", "6.2.3(3), 6.9")
+    used, twisted = "V_Ed / V_Rd,max", bool(webs.T[0] > 0)
+    if twisted:
+        share, tube = concrete.annex.torsion_struts, Tube.of(webs)
+        yield from torsion.steps(webs, ("6.3.2(1)", "6.3.2(1), 6.26"))
+        T_max = share * concrete.strut * float(tube.area[0] * tube.wall[0]) / MEGA
+        of_nu = "" if share == 1 else f"{share:g} * "
+        yield Step(most, "T_Rd,max", T_max, "MNm", f"{of_nu}f_nu * A_k * t_ef", "6.3.2(4), 6.30")
+        used = f"T_Ed / T_Rd,max + {used}"
+    yield Step("share used", "eta", float(need.used[0]), "", used, "6.3.2(4), 6.29" if twisted else "6.2.3(3)")
+    if np.isinf(need.links[0]):
+        return
+    cot = float(_struts(steel, limit_state, webs).cot_theta[0])
+    yield Step("strength of links", "f_ywd", bars.f_yd / MEGA, "MPa", clause="3.2.7(2)")
+    yield Step("cot theta, the flattest struts that are borne", "cot", cot, clause="6.2.3(2), 6.3.2(2)")
+    least = float(need.least_links[0]) * CM2
+    yield Step("least links", "a_sw,min", least, "cm2/m", clause="9.2.2(5)")
+    both = "(V_Ed / z + T_Ed / A_k)" if twisted else "V_Ed / z"
+    formula = f"max({both} / (f_ywd * cot) * 10000, a_sw,min)"
+    clause = "6.2.3(3), 6.8" + ("; 6.3.2(2)" if twisted else "")
+    yield Step("links, all legs together", "a_sw", float(need.links[0]) * CM2, "cm2/m", formula, clause)
+    if twisted:
+        along, formula = float(need.along[0]) * CM2, "T_Ed * u_k * cot / (2 * A_k * f_ywd) * 10000"
+        yield Step("bars along the beam for torsion", "A_sl", along, "cm2", formula, "6.3.2(3), 6.28")

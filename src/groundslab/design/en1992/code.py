@@ -53,8 +53,10 @@ EN1992 = DesignCode(
     ),
     beams=BeamRule(
         minimum=beams.minimum,
-        links=beams.links,
-        clauses="6.1, 6.2.3, 9.2.1.1(1), 9.2.2(5)",
+        web=beams.web,
+        web_steps=beams.web_steps,
+        clauses="6.1, 9.2.1.1(1)",
+        web_clauses="6.2.3, 6.3.2, 9.2.2(5)",
         flange=FlangeRule(beams.flange_bars, beams.flange_limit, "6.2.4"),
     ),
     bars=bars.checks,

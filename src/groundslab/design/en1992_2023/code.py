@@ -51,8 +51,10 @@ EN1992_2023 = DesignCode(
     ),
     beams=BeamRule(
         minimum=beams.minimum,
-        links=beams.links,
-        clauses="8.1, 8.2.3, 12.2(2), 12.2(4)",
+        web=beams.web,
+        web_steps=beams.web_steps,
+        clauses="8.1, 12.2(2)",
+        web_clauses="8.2.3, 8.3, 12.4",
         flange=FlangeRule(beams.flange_bars, beams.flange_limit, "8.2.5"),
     ),
     bars=bars.checks,

@@ -12,6 +12,7 @@ from groundslab.design.basis.calculation import Step, with_numbers
 from groundslab.design.basis.combinations import ultimate_results
 from groundslab.design.basis.design_code import Calculation
 from groundslab.design.basis.punching import Heads
+from groundslab.design.beam_steps import beam_steps
 from groundslab.design.checks import check_design
 from groundslab.design.codes import code_of
 from groundslab.design.demands.perimeters import SketchedPerimeter
@@ -74,6 +75,7 @@ def _followed(combined: Results) -> Iterator[tuple[str, Calculation]]:
     code = code_of(steel)
     if code.bars_by_steps is not None:
         yield from _bending(combined, steel, code.bars_by_steps)
+    yield from beam_steps(combined, steel)
     for name, calculated in () if code.punching is None else code.punching.steps:
         for number, calculation in enumerate(calculated(combined, steel)):
             if number == 0 or combined.model.report.sheets == "all":

@@ -55,7 +55,7 @@ VALUES: dict[str, tuple[str, ...]] = {
     "wall_punching": _PUNCHING,
     "zone_punching": ("load", *_PUNCHING),
     "reinforcement": ("required area", "design moment"),
-    "beam_reinforcement": ("required area", "required links", "moment", "shear force"),
+    "beam_reinforcement": ("required area", "required links", "moment", "shear force", "torsional moment"),
 }  # fmt: skip
 #: Extremes in the table of combinations: which of which quantity.
 EXTREMES = {
@@ -71,7 +71,7 @@ _ALIKE = {
     "design moment": "governed by",
 }
 #: Values of the largest size, whose signs may differ between both meshes.
-_SIZES = {"largest deflection", "largest shear force", "largest torsional moment", "shear force"}
+_SIZES = {"largest deflection", "largest shear force", "largest torsional moment", "shear force", "torsional moment"}
 
 
 def with_errors(make: Callable[[Results], Table], combined: Results) -> Table:

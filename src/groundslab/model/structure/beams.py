@@ -209,6 +209,14 @@ class Beam(Section):
         ),
     ] = ("fixed", "fixed")
     stiffness: Annotated[float, STIFFNESS] = 1.0
+    torsion: Annotated[
+        Literal["resisted", "released"],
+        Choice(
+            Literal["resisted", "released"],
+            "whether it resists torsion and is designed for it; released where only compatibility would twist it",
+            "",
+        ),
+    ] = "resisted"
     bar_axis: Annotated[
         float | None,
         Quantity(
@@ -281,9 +289,10 @@ class Beam(Section):
         bending = own * section.second_moment if self.eccentric else self.added_bending(E, thickness)
         area = (section.area or 0.0) if self.eccentric else 0.0
         share = self.stiffness
+        J = section.torsion_constant if self.torsion == "resisted" else 0.0
         return (
             share * bending,
-            share * G * section.torsion_constant,
+            share * G * J,
             share * G * section.shear_area,
             share * own * area,
         )

@@ -10,6 +10,7 @@ from typing import get_args
 import numpy as np
 import pytest
 
+from groundslab.design.basis.webs import Web
 from groundslab.design.en1992 import anchorage, beams, bending, cracking, punching, shear
 from groundslab.design.en1992.annex import ANNEXES, RECOMMENDED, Annex, actions, annex_of, file_of
 from groundslab.design.en1992.case_materials import largest_cover, least_cover, materials
@@ -133,7 +134,8 @@ def test_least_links(name: AnnexName, beam: float, slab: float) -> None:
     Beams are 0.5 m wide.
     """
     steel = Reinforcement(annex=name, concrete="C30/37", steel="B500B", bottom=(0.05, 0.06), top=(0.05, 0.06))
-    assert 0.5e4 * beams.links(steel, "ultimate", np.zeros(1), 0.5)[0] == pytest.approx(beam, abs=5e-4)
+    idle = Web(np.zeros(1), np.zeros(1), 0.5, np.full(1, 0.6), np.full(1, 0.5), 0.06)
+    assert 1e4 * beams.web(steel, "ultimate", idle).links[0] == pytest.approx(beam, abs=5e-4)
     assert 1e4 * shear.minimum_links(*materials(steel)) == pytest.approx(slab, abs=1e-3)
 
 

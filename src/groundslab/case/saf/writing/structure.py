@@ -217,8 +217,9 @@ def write_beams(
             **_curve(sheets, beam.edges, closed=False), geometricalshape=geometry, eccentricityez=0,
             shapeoftherib="T Symmetric", behaviourinanalysis="Standard", effectivewidth="Width", **_rib(sheets, beam),
         )  # fmt: skip
-        if "hinged" in beam.joined or beam.stiffness != 1 or beam.bar_axis is not None:
-            sheets.leave(f"beam {beam.name}", "its hinges, share of stiffness and bars are not written")
+        if "hinged" in beam.joined or beam.stiffness != 1 or beam.bar_axis is not None or beam.torsion != "resisted":
+            left = "its hinges, share of stiffness, release of torsion and bars are not written"
+            sheets.leave(f"beam {beam.name}", left)
 
 
 def _rib(sheets: Sheets, beam: Beam) -> dict[str, object]:

@@ -66,22 +66,25 @@ def beam_reinforcement(combined: Results, steel: Reinforcement) -> Table:
     heads = (
         ("beam", ""), ("bars", ""), ("required area", "cm2"), ("required links", "cm2/m"), ("least", ""),
         ("from the start", "m"), ("combination", ""), ("moment", "kNm"), ("shear force", "kN"),
+        ("torsional moment", "kNm"),
     )  # fmt: skip
     code = code_of(steel)
     assert code.beams is not None
     notes = (
-        f"By {code.name} {code.beams.clauses}, over all ultimate combinations, in addition to the slab's bars. Moments "
-        "and shear forces of ribs are those of the T or L: with the slab's own over the effective width. Shear forces "
-        "count from the effective depth away from the beam's ends.",
+        f"By {code.name} {code.beams.clauses}, {code.beams.web_clauses}, over all ultimate combinations, in addition "
+        "to the slab's bars. Moments and shear forces of ribs are those of the T or L: with the slab's own over the "
+        "effective width. Shear forces "
+        "and torsional moments count from the effective depth away from the beam's ends.",
         "Bars of a flange are those across the rib, at both faces together, that carry the shear between web and "
         "flange, V / z times the share of one side. Those that the slab has there count.",
-        "The least bars or links are in the unit of the required ones. Torsion is not designed for: it is that of "
-        "compatibility (EN 1992-1-1 6.3.1(2), ACI 318-19 22.7.3.2). inf: the concrete is too weak for any "
+        "Links are closed where there is torsion, and are for it and shear together; bars for torsion lie along the "
+        "beam, spread over its circumference, in addition to those at both faces. A beam can be released from the "
+        "torsion that compatibility alone makes (EN 1992-1-1 6.3.1(2), ACI 318-19 22.7.3.2).",
+        "The least bars or links are in the unit of the required ones. inf: the concrete is too weak for any "
         "reinforcement.",
     )
-    return table_of(
-        "beam_reinforcement", "Reinforcement of beams", heads, map(_need, beam_needs(combined, steel)), notes
-    )
+    rows = [_need(need) for need in beam_needs(combined, steel) if need.what != "struts"]
+    return table_of("beam_reinforcement", "Reinforcement of beams", heads, rows, notes)
 
 
 def _need(need: BeamNeed) -> list[Cell]:
@@ -89,6 +92,10 @@ def _need(need: BeamNeed) -> list[Cell]:
     area, force = need.area * 1e4, need.force / 1e3
     about: list[Cell] = [need.beam, need.what]
     rest: list[Cell] = [need.least * 1e4, need.way, need.combination]
-    if need.what in ("links", "flange"):
-        return [*about, None, area, *rest, None, force]
-    return [*about, area, None, *rest, force, None]
+    if need.what == "flange":
+        return [*about, None, area, *rest, None, force, None]
+    if need.web is None:
+        return [*about, area, None, *rest, force, None, None]
+    if need.what == "links":
+        return [*about, None, area, *rest, None, force, need.torsion / 1e3]
+    return [*about, area, None, *rest, None, force, need.torsion / 1e3]
