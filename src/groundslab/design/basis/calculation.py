@@ -10,8 +10,9 @@ from typing import Literal
 MEGA = 1e6
 #: What pushes at a plate.
 Pushing = Literal["column", "pile", "zone"]
-#: What pushes at a zone.
+#: What pushes at a zone, and what pulls at it.
 ZONE = "force of the columns on the zone, less that of piles below it"
+ZONE_PULLS = "pull of the columns on the zone and push of the piles below it"
 #: Forces inside this close to each other, over the force that punches, are the same.
 SAME = 1e-9
 #: A symbol in a formula, such as v_Rd,c: a comma that belongs to it is followed by no space.
@@ -49,22 +50,27 @@ def with_numbers(step: Step, known: Mapping[str, float]) -> str:
 
 
 def punching_force(
-    one: Pushing, symbols: tuple[str, str], parts: tuple[float, float, float, float], V: float, clause: str
+    what: tuple[Pushing, bool],
+    symbols: tuple[str, str],
+    parts: tuple[float, float, float, float],
+    V: float,
+    clause: str,
 ) -> Iterator[Step]:
-    """Yield what pushes on a perimeter, columns from above or a pile from below, and what relieves it inside.
+    """Yield what pushes on a perimeter or pulls at it, from above or below, and what relieves it inside.
 
-    The symbols are those of the force that pushes and of the one that punches, V [N]; parts are the force that pushes,
-    other loads, pressure and line force along the plate's edge inside [N]. The line force counts where that makes V.
+    It is a column, a pile or a zone, and whether it pulls. The symbols are those of its force and of the one that
+    punches, V [N]; parts are its force, other loads, pressure and line force along the plate's edge inside [N]. The
+    line force counts where that makes V.
     """
     own, punching = symbols
-    force, others, pressure, edge = parts
-    way, with_loads, with_ground = (-1.0, "-", "+") if one == "pile" else (1.0, "+", "-")
-    words = ZONE if one == "zone" else f"force of the {one}"
-    yield Step(words, own, force / MEGA, "MN")
+    (one, pulls), (force, others, pressure, edge) = what, parts
+    way, with_loads, with_ground = (-1.0, "-", "+") if (one == "pile") != pulls else (1.0, "+", "-")
+    of_zone = ZONE_PULLS if pulls else ZONE
+    yield Step(of_zone if one == "zone" else f"{'pull' if pulls else 'force'} of the {one}", own, force / MEGA, "MN")
     yield Step("other loads inside the perimeter", "N_o", others / MEGA, "MN")
     yield Step("pressure of the ground inside", "N_p", pressure / MEGA, "MN")
     formula = f"{own} {with_loads} N_o {with_ground} N_p"
-    if edge and abs(V - (force + way * (others - pressure - edge))) <= SAME * force:
+    if edge and abs(V - (force + way * (others - pressure - edge))) <= SAME * max(map(abs, parts)):
         yield Step("line force of the ground along the plate's edge inside", "N_e", edge / MEGA, "MN")
         formula += f" {with_ground} N_e"
     yield Step("force that punches", punching, V / MEGA, "MN", formula, clause)

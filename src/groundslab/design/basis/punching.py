@@ -10,6 +10,8 @@ from groundslab.design.basis.check import MOST_NAMED, NO_PERIMETER, SUPPORT_INSI
 from groundslab.model.design.reinforcement import Reinforcement
 
 Heads = tuple[tuple[str, str], ...]
+#: A force below this [N] is none.
+LEAST_FORCE = 1.0
 
 #: What acts inside a perimeter.
 INSIDE: Heads = (
@@ -23,6 +25,14 @@ RELIEF = {
     "pile": "force + pressure inside + edge line force inside - other loads inside",
     "zone": "load + other loads inside - pressure inside",
 }
+#: What is said of the worst one if it pulls, or only turns the slab.
+PULLS = "; it pulls and is taken as tied to the far face"
+TURNS = "; it turns the slab without a force"
+#: What becomes of it, then.
+PULLED = (
+    "Where a column or zone pulls up, or a pile down, it punches the other way: what acts inside has the opposite "
+    "sign, and d is less the mean distance of the bars' axes at the other face. It is taken as tied to the far face."
+)
 #: What beams do to it.
 BEAMS = "Other loads inside include the shear forces of beams across the perimeter, upwards negative."
 #: What counts of a perimeter that leaves a thicker zone.
@@ -76,6 +86,18 @@ def edge_note(steel: Reinforcement, support: str) -> str:
     return _RELIEVES if steel.line_force_relieves else _ONE_EDGE
 
 
+def with_way(check: DesignCheck, found: Mapping[tuple[str, str], Pulling]) -> DesignCheck:
+    """Return a check that says whether what it is about pulls, or turns without a force, by the demands found."""
+    demand = found[check.combination, check.of]
+    way = TURNS if abs(demand.force) < LEAST_FORCE else PULLS if demand.pulls else ""
+    return replace(check, words=check.words + way)
+
+
+def pulled_notes(demands: Iterable[Pulling]) -> tuple[str, ...]:
+    """Return what becomes of columns, piles or zones that pull as a note, if any does."""
+    return (PULLED,) if any(demand.pulls for demand in demands) else ()
+
+
 def missing_notes(missing: Mapping[str, str], support: str) -> tuple[str, ...]:
     """Return why some have no perimeter, by their names, as notes."""
     of = "around" if support == "zone" else f"of {support}"
@@ -83,8 +105,21 @@ def missing_notes(missing: Mapping[str, str], support: str) -> tuple[str, ...]:
 
 
 def cells_inside(force: float, pressure: float, edge: float, others: float) -> list[float | None]:
-    """Return the forces inside [N], in the order of INSIDE."""
-    return [pressure / 1e3, 100 * pressure / force, edge / 1e3, others / 1e3]
+    """Return the forces inside [N], in the order of INSIDE; of moments alone there is no share."""
+    share = 100 * pressure / force if abs(force) >= LEAST_FORCE else None
+    return [pressure / 1e3, share, edge / 1e3, others / 1e3]
+
+
+class Pulling(Protocol):
+    """A demand of what may pull."""
+
+    @property
+    def force(self) -> float:
+        """Return its force [N]."""
+
+    @property
+    def pulls(self) -> bool:
+        """Return whether a column or zone pulls up, or a pile down."""
 
 
 class Supported(Protocol):

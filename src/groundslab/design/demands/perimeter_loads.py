@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, TypeVar
 
@@ -38,11 +38,15 @@ if TYPE_CHECKING:
 CORNER_REACH = 1 + math.sqrt(2)
 #: Places so near to each other along a beam [m] are one.
 NEAR_BY = 1e-6
+#: Forces below this share of the largest of a kind are rounding.
+ROUNDING = 1e-9
 
 
 Place = TypeVar("Place")
-#: What a check knows of the place of a column (False) or a pile (True), by its name.
-Places = dict[tuple[bool, str], Place]
+Key = TypeVar("Key")
+Demand = TypeVar("Demand")
+#: What a check knows of the place of a column (False) or a pile (True), by its name, and whether it pulls.
+Places = dict[tuple[tuple[bool, str], bool], Place]
 #: How far from the face of a column or a pile punching is checked [m], and one-way shear beyond.
 Reach = Mapping[tuple[bool, str], float]
 
@@ -53,27 +57,56 @@ def pushing_forces(
     model: Model,
     of_places: tuple[Memo[Places[Place]], Callable[[CombinationResult, PunchingForce], Place]],
 ) -> Iterator[tuple[PunchingForce, Place, list[CombinationResult]]]:
-    """Yield the forces that push in any combination, what a check knows of the place of each, and the combinations.
+    """Yield the forces, each way that it acts, what a check knows of the place of each, and the combinations.
 
-    What is known of a place is made once for a mesh, and kept.
+    What is known of a place is made once for a mesh, and kept. One that pushes in some combinations and pulls in others
+    comes twice, and so does one that turns the plate by moments alone, which press one side down and the other up.
     """
     kept, make = of_places
-    for punching in forces:
-        pushing = [result for result in results if punching.pushing(result)[0] > 0]
+    least = rounding(forces, results)
+    for punching in (way for force in forces for way in force.ways):
+        pushing = [result for result in results if _acts(punching.pushing(result), least)]
         if pushing:
-            known = kept.get(pushing[0].plate.nodes, model, dict)
-            if punching.key not in known:
-                known[punching.key] = make(pushing[0], punching)
-            yield punching, known[punching.key], pushing
+            known, key = kept.get(pushing[0].plate.nodes, model, dict), (punching.key, punching.pulls)
+            if key not in known:
+                known[key] = make(pushing[0], punching)
+            yield punching, known[key], pushing
+
+
+def _acts(pushing: Array, least: float) -> bool:
+    """Return whether a force [N] with moments [N m] (3,) pushes, or turns without a force; what is less is rounding."""
+    force, *moments = pushing
+    return bool(force > least or (force >= -least and np.abs(moments).max() > least))
+
+
+def only_turns(pushing: Array) -> bool:
+    """Return whether of a force [N] with moments [N m] (3,) the moments act alone; the force is none, or rounding."""
+    return bool(pushing[0] <= ROUNDING * np.abs(pushing[1:]).max())
+
+
+def add_worse(found: dict[Key, Demand], key: Key, demand: Demand, used: Callable[[Demand], float]) -> None:
+    """Add a demand to those found by a key; of two ways in one combination the one that uses more of what resists."""
+    if key not in found or used(demand) > used(found[key]):
+        found[key] = demand
+
+
+def rounding(forces: Sequence[PunchingForce], results: Sequence[CombinationResult]) -> float:
+    """Return below what a force is none [N]: rounding of the largest force or moment of a kind."""
+    acting = (np.abs(force.acting(result)).max() for force in forces for result in results)
+    return ROUNDING * float(max(acting, default=0.0))
 
 
 @dataclass(frozen=True)
 class PunchingForce:
-    """A column on the plate or a pile below it, whose force punches the plate."""
+    """A column on the plate or a pile below it, whose force punches the plate.
+
+    One that pulls, tied to the far face of the plate, punches it the other way as if it stood there and pushed.
+    """
 
     column: Column  # of a pile, one with its place and diameter
     by_case: Mapping[str, Array]  # (3,): P [N], M_x and M_y [N m] of a column, by load case
     support: int | None = None  # number of the pile among the supports, from 0
+    pulls: bool = False
 
     @property
     def name(self) -> str:
@@ -82,18 +115,23 @@ class PunchingForce:
 
     @property
     def from_below(self) -> bool:
-        """Return whether it is a pile, which pushes up and has the tension at the top."""
-        return self.support is not None
+        """Return whether it punches upwards and has the tension at the top: a pile that pushes, a column that pulls."""
+        return (self.support is not None) != self.pulls
 
     @property
     def key(self) -> tuple[bool, str]:
-        """Return what no other has."""
-        return self.from_below, self.name
+        """Return what no other column or pile has."""
+        return self.support is not None, self.name
+
+    @property
+    def ways(self) -> tuple[PunchingForce, PunchingForce]:
+        """Return it as one that pushes, and as one that pulls."""
+        return replace(self, pulls=False), replace(self, pulls=True)
 
     @property
     def columns(self) -> tuple[str, ...]:
         """Return the names of the columns whose loads its force is."""
-        return () if self.from_below else (self.name,)
+        return (self.name,) if self.support is None else ()
 
     @property
     def supports(self) -> tuple[int, ...]:
@@ -124,11 +162,14 @@ class PunchingForce:
         return self.column.x, self.column.y
 
     def pushing(self, results: CombinationResult) -> Array:
-        """Return its force on the plate [N], positive if it pushes, and its moments [N m] (3,) in a combination.
+        """Return its force on the plate [N] the way it punches, and its moments [N m] (3,) in a combination.
 
-        The force is downwards of a column and upwards of a pile; moments are those that press the side of larger x or
-        y the way that the force pushes.
+        Moments are those that press the side of larger x or y that way.
         """
+        return -self.acting(results) if self.pulls else self.acting(results)
+
+    def acting(self, results: CombinationResult) -> Array:
+        """Return its force [N], of a column downwards and of a pile upwards, and its moments [N m] (3,)."""
         if self.support is None:
             return column_loads.factored_sums(results, self.by_case)
         pile = results.supports[self.support]
@@ -281,11 +322,11 @@ def punching_shear(
 ) -> PunchingShear:
     """Return the punching force and moments on a perimeter about its center (2,) [m] in a combination.
 
-    Of a column V is its force and the other loads inside less the ground's pressure there; of a pile its force and the
-    pressure less the loads. What beams carry out of the perimeter does not punch. The edge's line force inside is taken
-    off only where the case says so, but added in any case where it adds. What other supports inside take off is not
-    counted either, as each may stand on the perimeter itself; what they add is, which is on the safe side: a perimeter
-    around all of them is longer.
+    Of a column V is its force and the other loads inside less the ground's pressure there; of a pile, or a column that
+    pulls, its force and the pressure less the loads. What beams carry out of the perimeter does not punch. The edge's
+    line force inside is taken off only where the case says so, but added in any case where it adds. What other supports
+    inside take off is not counted either, as each may stand on the perimeter itself; what they add is, which is on the
+    safe side: a perimeter around all of them is longer.
     """
     sign = -1.0 if punching.from_below else 1.0
     plate = results.plate

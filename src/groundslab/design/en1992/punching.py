@@ -29,6 +29,7 @@ FORMULAS = {
     "beta": "1 + sqrt((k_1 * M_1 * u / (V_Ed * W_1))^2 + (k_2 * M_2 * u / (V_Ed * W_2))^2)",
     "beta at an edge": "1 / s + k_1 * abs(M_1) * u / (V_Ed * W_1)",
     "v_Ed": "beta * V_Ed / (u * d)",
+    "v_Ed by M": "(V_Ed + sqrt((k_1 * M_1 * u / W_1)^2 + (k_2 * M_2 * u / W_2)^2)) / (u * d)",
     "v_Rd": "v_Rd,c * 2 * d / a",
     "A_sw": "(v_Ed - 0.75 * v_Rd) * u * d / (n_s * f_ywd,ef) * 10000",
     "A_sw alone": "v_Ed * u * d / f_ywd,ef * 10000",
@@ -85,21 +86,20 @@ def transfer_share(ratio: float) -> float:
 CORNER = 1.5
 
 
-def beta(moments: Sequence[float], shares: Sequence[float], force: float, u: float, W: Sequence[float]) -> float:
-    """Return beta by 6.39 or 6.51 of moments about two axes [N m], with the force [N], u [m] and W [m2] about them.
+def raised(moments: Sequence[float], shares: Sequence[float], force: float, u: float, W: Sequence[float]) -> float:
+    """Return beta times a force [N] by 6.39 or 6.51, with moments about two axes [N m], u [m] and W [m2] about them.
 
     The two add up by the root of their squares, as in 6.43.
     """
-    parts = [k * M * u / (force * modulus) for M, k, modulus in zip(moments, shares, W, strict=True)]
-    return 1.0 + math.hypot(*parts)
+    return force + math.hypot(*(k * M * u / modulus for M, k, modulus in zip(moments, shares, W, strict=True)))
 
 
-def beta_at_an_edge(reduced: float, moment: float, share: float, force: float, u: float, W: float) -> float:
-    """Return beta of a column at an edge by 6.44: `reduced` is u_1* / u_1, the moment [N m] is that along the edge.
+def raised_at_an_edge(reduced: float, moment: float, share: float, force: float, u: float, W: float) -> float:
+    """Return beta times the force [N] of a column at an edge by 6.44: `reduced` is u_1* / u_1.
 
-    The force's distance from the perimeter across the edge is in u_1* (6.4.3(4)).
+    The moment [N m] is that along the edge; the force's distance from the perimeter across it is in u_1* (6.4.3(4)).
     """
-    return 1 / reduced + share * abs(moment) * u / (force * W)
+    return force / reduced + share * abs(moment) * u / W
 
 
 def links_that_count(a: float, first: float, s_r: float, d: float) -> float:

@@ -31,6 +31,7 @@ FORMULAS = {
     "e_b corner": "0.27 * (abs(e_1) + abs(e_2))",
     "beta_e": "max(1.05, 1 + 1.1 * e_b / sqrt(b_1 * b_2))",
     "tau_Ed": "beta_e * V_Ed / (b_05 * d_v)",
+    "tau_Ed by M": "(V_Ed + 1.1 * M_b / sqrt(b_1 * b_2)) / (b_05 * d_v)",
     "k_pb": "min(2.5, max(1, 3.6 * sqrt(1 - b_0 / b_05)))",
     "a_pd": "sqrt(a_p * d_v / 8)",
     "tau_Rd,c": "min(0.6 / gamma_V * k_pb * (100 * rho_l * f_ck * d_dg / (1000 * a_pd))^(1/3), "
@@ -74,6 +75,11 @@ def eccentricity(shape: Shape, along: float, across: float) -> float:
 def beta(e_b: float, b_1: float, b_2: float) -> float:
     """Return beta_e by its refined value (Table 8.3): b_1 and b_2 are the perimeter's overall widths [m]."""
     return max(LEAST_BETA, 1 + 1.1 * e_b / math.sqrt(b_1 * b_2))
+
+
+def turned(M_b: float, b_1: float, b_2: float) -> float:
+    """Return what (beta_e - 1) V_Ed is of moments alone [N m], e_b V_Ed being their M_b (Table 8.3) [N]."""
+    return 1.1 * M_b / math.sqrt(b_1 * b_2)
 
 
 def gradient(b_0: float, b_05: float) -> float:

@@ -15,7 +15,6 @@ from groundslab.design.aci318.checks import two_way, two_way_steps
 from groundslab.design.aci318.checks.two_way_demand import two_way as column_two_way
 from groundslab.design.aci318.checks.two_way_demand import zone_two_way
 from groundslab.design.basis.check import DesignCheck
-from groundslab.design.checks import pulling
 from groundslab.design.demands.zones.thicker_zones import zone_forces
 from groundslab.design.demands.zones.thinner_slab import ThinnerPart
 from groundslab.design.en1992.checks import punching, punching_steps
@@ -388,18 +387,22 @@ def test_ground_in_a_recess_of_a_zone_takes_nothing_off() -> None:
     assert demand.V_u == pytest.approx(3e6 - PRESSURE * area, rel=1e-3)
 
 
-def test_a_zone_that_is_turned_alone_needs_attention() -> None:
-    """Two opposite forces on it push nothing down, but turn the slab around; so one that is pulled up."""
+def test_a_zone_that_is_turned_alone_is_judged() -> None:
+    """Two opposite forces on it push nothing down, but turn the slab around by 8 MNm, at d / 2 as 8.4.4.2 has it."""
     opposite = {"kind": "point", "P": -4e6, "column": "C2", "case": "G"}
     wide = zone((-2.5, 2.5), (-1.0, 1.0))
-    turned = results(wide, P=4e6, columns=((-2.0, 0.0), (2.0, 0.0)), more=(opposite,))
-    assert not zone_demands(turned).found
-    check = named(pulling.checks(turned), "thicker zones")
-    assert check.status == "attention"
-    assert "zone 1 only turns the slab with 8000 kNm" in check.words
-    pulled = results(wide, P=-1e6, columns=((-2.0, 0.0), (2.0, 0.0)))
-    assert "zone 1 pulls with 1000 kN" in named(pulling.checks(pulled), "thicker zones").words
-    assert not [each for each in pulling.checks(results(square())) if "thicker zones" in each.name]
+    turned = results(wide, P=4e6, columns=((-2.0, 0.0), (2.0, 0.0)), more=(opposite,), code="ACI 318")
+    demand = zone_two_way(turned)[0]["ULS", "zone 1"]
+    assert demand.transfer is not None
+    assert sorted(map(abs, demand.transfer.moments)) == pytest.approx([0.0, 8e6], abs=1.0)
+    assert "it turns the slab without a force" in named(two_way.checks(turned), "thicker zones").words
+
+
+def test_a_zone_that_is_pulled_punches_upwards() -> None:
+    """A column on it pulls with 1 MN: V_u is that and the pressure up to d / 2, d that of the top bars around."""
+    demand = zone_two_way(results(square(), P=-1e6, code="ACI 318"))[0]["ULS", "zone 1"]
+    assert demand.force == pytest.approx(1e6)
+    assert demand.V_u == pytest.approx(1e6 + PRESSURE * (SIDE + D) ** 2, rel=1e-6)
 
 
 def test_shorter_sections_in_thinner_slab_do_not_make_concrete_stronger() -> None:

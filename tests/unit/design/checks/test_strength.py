@@ -166,18 +166,6 @@ def test_a_support_inside_the_perimeter(code: str, about: str) -> None:
     assert given_up.words.endswith(SUPPORT_INSIDE.do)
 
 
-def test_columns_that_do_not_push_are_not_passed() -> None:
-    """1.35 x 100 kN upwards, or 1.35 x 40 kNm alone, punch the slab too: no green row may stand for them."""
-    name = "punching by columns that pull"
-    said = words(check_design(solved(described(-100e3))), name)
-    assert said.startswith('attention: not judged: columns that do not push down: C1 pulls with 135 kN in "ULS"; tie')
-    turned = {"kind": "point", "P": 0.0, "M_x": 40e3, "column": "C1", "case": "G"}
-    said = words(check_design(solved(described(loads=[turned]))), name)
-    assert "C1 only turns the slab with 54 kNm in" in said
-    for fine in (described(), described(loads=[{"kind": "uniform", "q": 5e3, "case": "G"}])):
-        assert name not in {check.name for check in check_design(solved(fine)).checks}
-
-
 def test_bending_that_no_reinforcement_carries() -> None:
     """20 MNm/m fail, with the layer, the moment, the place and the combination; 900 kNm/m need bars in compression."""
     said = words(check_design(solved(described(), 20e6)), "bending")

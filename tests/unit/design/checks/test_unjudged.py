@@ -97,7 +97,6 @@ CASES: dict[str, tuple[dict[str, Any], dict[str, Any], str]] = {
         "punching within 2 d",
     ),
     "no-perimeter": ({"plate": plate(corners=True)}, {"plate": plate(corners=False)}, "punching within 2 d"),
-    "pulls-or-turns": ({"loads": [LOAD | {"P": -10e3}, WEIGHT]}, {}, "punching by columns that pull"),
     "glued-to-the-ground": (lifted(-300e3), lifted(300e3), "static equilibrium"),
     "no-combination": (
         {"limits": {"settlement": 0.02}}, {"limits": {"settlement": 0.02}, "combinations": [ULS, QUASI]}, "settlement",
@@ -146,6 +145,14 @@ def test_both_ways(name: str) -> None:
     assert f"Not judged: {len([each for each in ends if each.unjudged])} of {len(ends)} (" in headline
     judged = made(slab(**judged_case))
     assert name not in {each.unjudged.name for each in judged if each.unjudged is not None}
+
+
+@pytest.mark.parametrize("load", [{"P": -10e3}, {"P": 0.0, "M_x": 10e3}])
+def test_what_pulls_or_only_turns_is_judged(load: dict[str, float]) -> None:
+    """A column that pulls at the slab, or turns it without a force, is judged as one that pushes is."""
+    ends = made(slab(loads=[LOAD | load, WEIGHT]))
+    assert not [each.words for each in ends if each.unjudged is not None]
+    assert [each.of for each in ends if each.name == "punching within 2 d"] == ["C"]
 
 
 def test_the_documentation_lists_them_all() -> None:

@@ -48,8 +48,9 @@ def test_the_reduced_perimeter_at_an_edge() -> None:
 
 
 def test_beta_at_an_edge_by_hand() -> None:
-    """6.44: u1 / u1* and k M u / (V W) of the moment along the edge."""
-    assert en1992.beta_at_an_edge(0.8, -30e3, 0.6, 200e3, 4.0, 2.0) == pytest.approx(1.25 + 0.6 * 30 * 4 / (200 * 2))
+    """6.44: V (u1 / u1* + k M u / (V W)) of the moment along the edge."""
+    expected = 200e3 * (1.25 + 0.6 * 30 * 4 / (200 * 2))
+    assert en1992.raised_at_an_edge(0.8, -30e3, 0.6, 200e3, 4.0, 2.0) == pytest.approx(expected)
 
 
 def footing(x: float, length: float, width: float) -> gs.Model:

@@ -94,11 +94,10 @@ def _arrangement(
     """Return the perimeters around a column or pile, by the combination that needs most, or why there are none."""
     d, first = worst.d, results[0]
     s = rounded_down(APART * d)
-    pushing = [result for result in results if punching.pushing(result)[0] > 0]
-    count = _rows(pushing, punching, steel, d, s)
-    if count is None:
+    counts = [count for way in punching.ways if (count := _rows(results, way, steel, d, s)) is not None]
+    if len(counts) < len(punching.ways):
         return f"stirrups would go on beyond {MOST_ROWS * APART:g} d from the face, as v_u hardly falls outwards"
-    area = aci318.links(worst.v_u, d, worst.b_o, *materials(steel)) * s
+    area, count = aci318.links(worst.v_u, d, worst.b_o, *materials(steel)) * s, max(counts)
     plate = plate_under(first, *punching.place)
     around = surroundings(plate, punching.footprint, (count + 1) * s, openings_of(first, punching))
     options = _options([LinkRow((n + 1) * s, area, ALONG * d) for n in range(count)], d)
@@ -116,13 +115,20 @@ def _refused(steel: Reinforcement, needing: Sequence[TwoWay]) -> str:
     used = max(demand.v_u for demand in needing) / most
     if used > 1:
         return f"stirrups do not suffice: v_u is {used:.3g} phi 0.5 (f'c)^(1/2) (22.6.6.3)"
-    return "the slab is too thin for stirrups (22.6.7.1)" if needing[0].d < aci318.LEAST_DEPTH else ""
+    return (
+        "the slab is too thin for stirrups (22.6.7.1)"
+        if min(demand.d for demand in needing) < aci318.LEAST_DEPTH
+        else ""
+    )
 
 
 def _rows(
-    pushing: Sequence[CombinationResult], punching: PunchingForce, steel: Reinforcement, d: float, s: float
+    results: Sequence[CombinationResult], punching: PunchingForce, steel: Reinforcement, d: float, s: float
 ) -> int | None:
     """Return how many perimeters s apart [m] there are until concrete alone resists beyond them, None if too many."""
+    pushing = [result for result in results if punching.pushing(result)[0] > 0]
+    if not pushing:
+        return LEAST_ROWS
     most = PHI_SHEAR * aci318.with_links(materials(steel)[0], d)
     for count in range(LEAST_ROWS, MOST_ROWS + 1):
         section = section_at(pushing[0], punching, d, count * s + APART * d, square=False)

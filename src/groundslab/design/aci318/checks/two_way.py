@@ -18,7 +18,7 @@ from groundslab.design.aci318.checks.wall_ends import wall_two_way
 from groundslab.design.aci318.materials import PHI_SHEAR
 from groundslab.design.basis.check import DesignCheck, Status
 from groundslab.design.basis.demand_errors import error_of_ratio, scaled
-from groundslab.design.basis.punching import judged, with_the_rest
+from groundslab.design.basis.punching import judged, with_the_rest, with_way
 from groundslab.design.basis.wall_ends import NO_WALL, loaded_ends
 from groundslab.design.demands.perimeter_loads import punching_piles
 from groundslab.design.demands.zones.thicker_zones import NONE, zone_forces
@@ -31,9 +31,11 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
     steel = combined.model.reinforcement
     assert steel is not None
     if combined.model.columns:
-        yield from _checks(steel, two_way(combined), "two-way shear", ("column", "no column pushes down"))
+        yield from _checks(steel, two_way(combined), "two-way shear", ("column", "no column pushes or pulls"))
     if punching_piles(combined.model):
-        yield from _checks(steel, pile_two_way(combined), "two-way shear over piles", ("pile", "no pile pushes up"))
+        yield from _checks(
+            steel, pile_two_way(combined), "two-way shear over piles", ("pile", "no pile pushes or pulls")
+        )
     if zone_forces(combined):
         yield from _checks(steel, zone_two_way(combined), "two-way shear around thicker zones", ("thicker zone", NONE))
     if loaded_ends(combined.model):
@@ -46,11 +48,11 @@ def _checks(
     name: str,
     pushing: tuple[str, str],
 ) -> Iterator[DesignCheck]:
-    """Yield the check of columns that push down, or piles that push up, and which of them it leaves out."""
+    """Yield the check of columns, piles or zones, and which of them it leaves out."""
     known, missing = demands
     one, none = pushing
     those, supported = judged(known.values(), lambda demand: demand.v_u / strength(demand, steel))
-    check = _worst(those, steel, name) if those else None
+    check = with_way(_worst(those, steel, name), known) if those else None
     yield from with_the_rest(check, name, (f"{one}s", none, CUT), supported, missing)
 
 

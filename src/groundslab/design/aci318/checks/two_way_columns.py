@@ -24,6 +24,7 @@ from groundslab.design.basis.punching import (
     edge_note,
     effective_note,
     missing_notes,
+    pulled_notes,
 )
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.results import Results
@@ -32,17 +33,17 @@ _HEADS: Heads = (("d", "mm"), ("V_u", "kN"), ("b_o", "m"), ("v_u", "MPa"), *INSI
 
 
 def at_columns(combined: Results, steel: Reinforcement) -> PunchingColumns:
-    """Return two-way shear at columns that push down."""
+    """Return two-way shear at columns."""
     return _columns(combined, steel, two_way(combined), "column")
 
 
 def over_piles(combined: Results, steel: Reinforcement) -> PunchingColumns:
-    """Return two-way shear of the plate over piles that push up."""
+    """Return two-way shear of the plate over piles."""
     return _columns(combined, steel, pile_two_way(combined), "pile")
 
 
 def around_zones(combined: Results, steel: Reinforcement) -> PunchingColumns:
-    """Return two-way shear around thicker zones whose columns push down."""
+    """Return two-way shear around thicker zones with columns."""
     return _columns(combined, steel, zone_two_way(combined), "zone")
 
 
@@ -61,6 +62,7 @@ def _columns(
         effective_note("J_c"),
         edge_note(steel, support),
         f"{DEPTH[support]} {THINNER}",
+        *pulled_notes(known.values()),
         *((AROUND,) if support == "zone" else ()),
         *((BEAMS,) if combined.model.beams else ()),
     )

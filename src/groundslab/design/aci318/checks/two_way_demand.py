@@ -14,7 +14,7 @@ from groundslab.design.basis.combinations import ultimate_results
 from groundslab.design.basis.demand_errors import error_of
 from groundslab.design.by_plate import plate_under
 from groundslab.design.demands import line_properties, perimeter_loads
-from groundslab.design.demands.perimeter_loads import PerimeterLoads, PunchingForce, PunchingShear
+from groundslab.design.demands.perimeter_loads import PerimeterLoads, Places, PunchingForce, PunchingShear
 from groundslab.design.demands.perimeters import Openings, Perimeter, perimeter
 from groundslab.design.demands.zones.thicker_zones import zone_forces
 from groundslab.design.demands.zones.thinner_slab import counted, depth_share, thinner_parts
@@ -50,6 +50,7 @@ class TwoWay:
     transfer: aci318.Transfer | None = field(default=None, repr=False, compare=False)  # of a column or pile
     beta_e: float | None = None  # by what v_u at an end of a wall is larger than its mean
     line: Perimeter | None = field(default=None, repr=False, compare=False)  # of a column or pile
+    pulls: bool = False  # whether a column pulls up, or a pile down
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,18 +68,18 @@ class CriticalSection:
 
 
 #: Those of the columns and piles of a model, or why there is none, by its mesh.
-_SECTIONS: Memo[dict[tuple[bool, str], CriticalSection | str]] = Memo()
+_SECTIONS: Memo[Places[CriticalSection | str]] = Memo()
 
 
 @made_once
 def two_way(combined: Results) -> tuple[dict[tuple[str, str], TwoWay], Mapping[str, str]]:
-    """Return the demands by combination and column, at columns that push down, and why columns have none."""
+    """Return the demands by combination and column, and why columns have none."""
     return _two_way(combined, perimeter_loads.punching_columns(combined.model))
 
 
 @made_once
 def pile_two_way(combined: Results) -> tuple[dict[tuple[str, str], TwoWay], Mapping[str, str]]:
-    """Return the demands by combination and pile, at piles that push up, and why piles have none."""
+    """Return the demands by combination and pile, and why piles have none."""
     return _two_way(combined, perimeter_loads.punching_piles(combined.model))
 
 
@@ -99,12 +100,17 @@ def _two_way(
         return demands, missing
     results = ultimate_results(combined)
     make = partial(critical_section, steel=steel)
+
+    def used(demand: TwoWay) -> float:
+        return demand.v_u / strength(demand, steel)
+
     for punching, section, pushing in perimeter_loads.pushing_forces(results, forces, model, (_SECTIONS, make)):
         if isinstance(section, str):
             missing[punching.name] = section
             continue
         for result in pushing:
-            demands[result.combination, punching.name] = demand_on(result, section, punching, steel)
+            demand = demand_on(result, section, punching, steel)
+            perimeter_loads.add_worse(demands, (result.combination, punching.name), demand, used)
     return demands, missing
 
 
@@ -175,6 +181,7 @@ def demand_on(
         lambda: error_of(results, lambda mesh: _transfer(_shear(mesh, section, punching, steel), section).v_u),
         transfer,
         line=section.line,
+        pulls=punching.pulls,
     )
 
 

@@ -78,7 +78,7 @@ def _steps(demand: TwoWay, steel: Reinforcement, one: Pushing | None) -> Iterato
         yield Step(words, "V_u", demand.V_u / MEGA, "MN", clause="22.6.4.1")
     else:
         inside = demand.force, demand.others, demand.pressure, demand.edge
-        yield from punching_force(one, ("N_u", "V_u"), inside, demand.V_u, "22.6.4.1")
+        yield from punching_force((one, demand.pulls), ("N_u", "V_u"), inside, demand.V_u, "22.6.4.1")
     yield Step("effective depth", "d", demand.d, "m", clause="22.6.2.1")
     thinned = demand.line is not None and demand.b_o < (1 - SAME) * demand.line.u
     words = f"length of the critical section, less edges and openings{', less in thinner slab' if thinned else ''}"

@@ -40,7 +40,7 @@ RECESS = 1e-6
 #: Edges are near a zone up to this over the effective depth: the perimeters of EN 1992-1-1 reach so far.
 NEAR = 2.0
 #: Where no zone is judged.
-NONE = "no thicker zone pushes down"
+NONE = "no thicker zone pushes or pulls"
 #: Centers of zones are rounded to so many digits [m].
 PLACES = 9
 #: So many columns of a zone are named.
@@ -104,7 +104,7 @@ class ZoneForce(PunchingForce):
         """Return the thickness of the slab around [m], where it is largest."""
         return self.around
 
-    def pushing(self, results: CombinationResult) -> Array:
+    def acting(self, results: CombinationResult) -> Array:
         """Return the sum of the forces [N], downwards, and their moments about the zone's center [N m] (3,)."""
         sums = np.zeros(3)
         for force in self.forces:

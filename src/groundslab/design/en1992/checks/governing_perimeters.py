@@ -7,6 +7,7 @@ distances where a parabola through the three largest has its top.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from functools import partial
@@ -21,7 +22,7 @@ from groundslab.design.basis.demand_errors import error_of
 from groundslab.design.by_plate import plate_under
 from groundslab.design.demands import line_properties, perimeter_loads
 from groundslab.design.demands.line_properties import Course
-from groundslab.design.demands.perimeter_loads import LoadsNear, PerimeterLoads, PunchingForce
+from groundslab.design.demands.perimeter_loads import LoadsNear, PerimeterLoads, Places, PunchingForce
 from groundslab.design.demands.perimeters import Perimeter, SketchedPerimeter, Surroundings, perimeter_at, surroundings
 from groundslab.design.demands.zones.thicker_zones import ZoneForce, zone_forces
 from groundslab.design.demands.zones.thinner_slab import ThinnerPart, counted, thinner_parts
@@ -54,7 +55,7 @@ NO_ECCENTRICITY = 1e-9
 
 @made_once
 def demands(combined: Results) -> Demands:
-    """Return the demands of punching in all ultimate combinations, if bars are given; at columns that push down."""
+    """Return the demands of punching in all ultimate combinations, if bars are given; at columns."""
     around = {name for (_, name), demand in zone_demands(combined).found.items() if demand.around}
     zones = tuple(zone for zone in zone_forces(combined) if zone.name in around)
     return _demands(combined, perimeter_loads.punching_columns(combined.model), zones)
@@ -62,7 +63,7 @@ def demands(combined: Results) -> Demands:
 
 @made_once
 def pile_demands(combined: Results) -> Demands:
-    """Return the demands of punching in all ultimate combinations, if bars are given; at piles that push up."""
+    """Return the demands of punching in all ultimate combinations, if bars are given; at piles."""
     return _demands(combined, perimeter_loads.punching_piles(combined.model))
 
 
@@ -82,9 +83,16 @@ def _demands(combined: Results, forces: tuple[PunchingForce, ...], zones: tuple[
             missing[punching.name] = why
         # beyond d from the face, where uniform loads are, one-way shear is checked in any case (6.2.1(8))
         last = max((stress.distance for demand in of_combinations for stress in demand.around), default=0.0)
-        reach[punching.key] = max(site.d, last)
-        governing |= {(demand.combination, punching.name): demand for demand in of_combinations}
+        reach[punching.key] = min(max(site.d, last), reach.get(punching.key, math.inf))
+        for demand in of_combinations:
+            perimeter_loads.add_worse(governing, (demand.combination, punching.name), demand, _most_used)
     return Demands(governing, missing, {punching.name: punching.place for punching in forces}, reach)
+
+
+def _most_used(demand: Demand) -> float:
+    """Return the largest v_Ed / v_Rd around, or v_Ed at the face where nothing is around."""
+    stress = demand.governing
+    return demand.used(stress) if stress is not None else 0.0 if demand.face is None else demand.face.v_Ed
 
 
 @made_once
@@ -168,7 +176,7 @@ CUT = "its control perimeters cut the slab from edge to edge, which is one-way s
 BEYOND = "the perimeters around its zone are judged instead"
 
 #: Those of the columns and piles of a model, by its mesh.
-_SITES: Memo[dict[tuple[bool, str], _Site]] = Memo()
+_SITES: Memo[Places[_Site]] = Memo()
 
 
 def _site(
@@ -332,8 +340,8 @@ def _demand(results: CombinationResult, site: _Site, face: ControlPerimeter | st
     v_Rd_c = en1992.resistance_without_links(concrete, site.d, ratio)
     force = float(site.punching.pushing(results)[0])
     at_face = None if isinstance(face, str) else _face_stress(results, site, face, controls[-1] if controls else face)
-    name = site.punching.name
-    return Demand(name, results.combination, results.limit_state, force, site.d, v_Rd_c, at_face, stresses, ratio)
+    about = site.punching.name, results.combination, results.limit_state, force, site.d
+    return Demand(*about, v_Rd_c, at_face, stresses, ratio, site.punching.pulls)
 
 
 def _with_perimeter(demand: Demand, results: CombinationResult, site: _Site, control: ControlPerimeter) -> Demand:
@@ -351,9 +359,10 @@ def _stress(results: CombinationResult, site: _Site, control: ControlPerimeter) 
         results, control.loads, site.punching, control.center, edge_relieves=site.steel.line_force_relieves
     )
     applied = site.punching.pushing(results)[1:]
-    beta = _beta(site, control, shear.moments, shear.V, applied) if shear.V > 0 else 1.0
+    raised = _raised(site, control, shear.moments, shear.V, applied)
+    beta = raised / shear.V if shear.V > 0 else None
     turned = control.course.frame @ shear.moments
-    v_Ed = beta * shear.V / (control.u * site.d)
+    v_Ed = raised / (control.u * site.d)
     return Stress(
         control.distance,
         control.u,
@@ -371,34 +380,42 @@ def _stress(results: CombinationResult, site: _Site, control: ControlPerimeter) 
 
 
 def _face_stress(results: CombinationResult, site: _Site, face: ControlPerimeter, outer: ControlPerimeter) -> Stress:
-    """Return the demand at the face (6.4.5(3)), beta that of the own force and moments on the outermost perimeter."""
+    """Return the demand at the face (6.4.5(3)), beta that of the own force and moments on the outermost perimeter.
+
+    Where no force acts, or none is left, what the moments add there counts.
+    """
     stress = _stress(results, site, face)
-    force, *applied = site.punching.pushing(results)
-    moments = np.array(applied) + force * (np.array(site.punching.place) - outer.center)
-    beta = _beta(site, outer, moments, float(force), np.array(applied))
+    pushing = site.punching.pushing(results)
+    force, applied = float(pushing[0]), pushing[1:]
+    moments = applied + force * (np.array(site.punching.place) - outer.center)
+    alone = stress.V_Ed <= 0 or perimeter_loads.only_turns(pushing)
+    beta = None if alone else _raised(site, outer, moments, force, applied) / force
+    raised = stress.V_Ed + _raised(site, outer, moments, 0.0, applied) if beta is None else beta * stress.V_Ed
     return replace(
         stress,
         beta=beta,
-        v_Ed=beta * stress.V_Ed / (face.u * site.d),
+        v_Ed=raised / (face.u * site.d),
         error=lambda: error_of(results, lambda mesh: _face_stress(mesh, site, face, outer).v_Ed),
     )
 
 
-def _beta(site: _Site, control: ControlPerimeter, moments: Array, force: float, applied: Array) -> float:
-    """Return beta of moments (2,) [N m] of forces along x and y about a perimeter's center (6.4.3, 6.4.4(2)).
+def _raised(site: _Site, control: ControlPerimeter, moments: Array, force: float, applied: Array) -> float:
+    """Return beta times a force [N] of moments (2,) [N m] along x and y about a perimeter's center (6.4.3, 6.4.4(2)).
 
     Values for edges and corners (6.4.3(4) and (5), Figure 6.21N) are for perimeters without openings and for moments
-    `applied` (2,) [N m] of the column that do not bend it outwards; else 6.39 counts, if it is larger.
-    None is less than that of the annex.
+    `applied` (2,) [N m] of the column that do not bend it outwards; else 6.39 counts, if it is larger, as it does where
+    no force pushes. None is less than that of the annex.
     """
-    least = materials(site.steel)[0].annex.least_beta
+    least = materials(site.steel)[0].annex.least_beta * force
     turned, shape = control.course.frame @ moments, control.course.shape
-    general = en1992.beta(list(turned), list(control.shares), force, control.u, list(control.moduli))
+    general = en1992.raised(list(turned), list(control.shares), force, control.u, list(control.moduli))
+    if force <= 0:
+        return general
     if shape == "closed":
         return max(least, general)
-    simple = en1992.CORNER
+    simple = en1992.CORNER * force
     if shape == "edge":
         along, share, W = float(turned[0]), float(control.shares[0]), float(control.moduli[0])
-        simple = en1992.beta_at_an_edge(control.reduced, along, share, force, control.u, W)
+        simple = en1992.raised_at_an_edge(control.reduced, along, share, force, control.u, W)
     outwards = (control.course.inward @ applied < -NO_ECCENTRICITY * force).any()
     return max(least, simple, general) if control.opened or outwards else max(least, simple)

@@ -114,7 +114,8 @@ def _of_forces(
         required = _required(steel, found)
         if required is None:
             continue
-        d, thickness = found[0].d, punching.thickness(first)
+        # by the axes of the bars at either face where it pushes in some combinations and pulls in others
+        d, thickness = min(demand.d for demand in found), punching.thickness(first)
         arrangement: Arrangement | str = _refused(steel, found, thickness, at_face=support != "zone") or _too_far(
             required, d
         )

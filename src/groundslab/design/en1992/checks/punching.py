@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 
 from groundslab.design.basis.check import DesignCheck, Status
 from groundslab.design.basis.demand_errors import error_of_ratio, scaled
-from groundslab.design.basis.punching import judged, with_the_rest
+from groundslab.design.basis.punching import judged, with_the_rest, with_way
 from groundslab.design.basis.wall_ends import NO_WALL, loaded_ends
 from groundslab.design.demands.perimeter_loads import punching_piles
 from groundslab.design.demands.zones.thicker_zones import NONE, zone_forces
@@ -61,8 +61,12 @@ class Names(NamedTuple):
     none: str  # where nothing pushes
 
 
-COLUMNS = Names("punching at the column's face", "punching within 2 d", "column", "columns", "no column pushes down")
-PILES = Names("punching at the pile's face", "punching over piles within 2 d", "pile", "piles", "no pile pushes up")
+COLUMNS = Names(
+    "punching at the column's face", "punching within 2 d", "column", "columns", "no column pushes or pulls"
+)
+PILES = Names(
+    "punching at the pile's face", "punching over piles within 2 d", "pile", "piles", "no pile pushes or pulls"
+)
 WALLS = Names(
     "", "punching at walls' ends within 2 d", "wall end", "wall ends",
     NO_WALL,
@@ -103,7 +107,9 @@ def _face(steel: Reinforcement, punched: Demands, names: Names) -> Iterator[Desi
         if demand.face is not None
     ]
     those, supported = judged(stresses, _share)
-    check = _punching(names.face, names, "v_Rd,max", those, punched, "fails", "6.4.5(3)") if those else None
+    check = None
+    if those:
+        check = with_way(_punching(names.face, names, "v_Rd,max", those, punched, "fails", "6.4.5(3)"), punched.found)
     # whoever has no face has no perimeter around, where this is said
     yield from with_the_rest(check, names.face, (names.many, names.none, CUT), supported, {})
 
@@ -126,7 +132,8 @@ def _within_2d(steel: Reinforcement, punched: Demands, names: Names) -> Iterator
     counted = {id(each.stress) for each in there}
     limited = (each for demand in found for each in limited_with_links(demand, annex, at_face=at_face))
     most = [each for each in limited if id(each.stress) in counted]
-    yield from rest(_judged_within_2d(steel, punched, names, there, most), supported=supported, missing=punched.missing)
+    check = with_way(_judged_within_2d(steel, punched, names, there, most), punched.found)
+    yield from rest(check, supported=supported, missing=punched.missing)
 
 
 def _judged_within_2d(
@@ -215,6 +222,11 @@ def _at(stress: Stress, d: float) -> str:
     return f" at {stress.distance / d:.2g} d" if stress.distance else ""
 
 
+def _with(stress: Stress) -> str:
+    """Return in words how moments count."""
+    return "by moments" if stress.beta is None else f"with beta {stress.beta:.2f}"
+
+
 def _punching(
     name: str, names: Names, limit: str, stresses: list[Judged], punched: Demands, status: Status, clause: str
 ) -> DesignCheck:
@@ -237,7 +249,7 @@ def _punching(
         count = len({each.name for each in beyond})
         words = (
             f'{count} {names.many if count > 1 else names.one}; worst {demand.name} in "{demand.combination}": v_Ed '
-            f"{stress.v_Ed / 1e6:.3g} MPa{_at(stress, demand.d)}, with beta {stress.beta:.2f}, is "
+            f"{stress.v_Ed / 1e6:.3g} MPa{_at(stress, demand.d)}, {_with(stress)}, is "
             f"{worst.share:.3g} times {most / 1e6:.3g} MPa, {limit} ({clause})"
         )
         return DesignCheck(name, status, words, **numbers)

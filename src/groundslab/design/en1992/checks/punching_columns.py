@@ -16,6 +16,7 @@ from groundslab.design.basis.punching import (
     edge_note,
     effective_note,
     missing_notes,
+    pulled_notes,
 )
 from groundslab.design.en1992.case_materials import materials
 from groundslab.design.en1992.checks.governing_perimeters import demands, pile_demands, zone_demands
@@ -34,17 +35,17 @@ _AT_FACE = 3
 
 
 def at_columns(combined: Results, steel: Reinforcement) -> PunchingColumns:
-    """Return the punching checks at columns that push down."""
+    """Return the punching checks at columns."""
     return _columns(combined, steel, demands(combined), "column")
 
 
 def over_piles(combined: Results, steel: Reinforcement) -> PunchingColumns:
-    """Return the punching checks over piles that push up."""
+    """Return the punching checks over piles."""
     return _columns(combined, steel, pile_demands(combined), "pile")
 
 
 def around_zones(combined: Results, steel: Reinforcement) -> PunchingColumns:
-    """Return the punching checks around thicker zones whose columns push down."""
+    """Return the punching checks around thicker zones with columns."""
     return _columns(combined, steel, zone_demands(combined), "zone")
 
 
@@ -73,6 +74,7 @@ def _columns(combined: Results, steel: Reinforcement, punched: Demands, support:
         edge_note(steel, support),
         AROUND if at_zone else at_face,
         f"{DEPTH[support]} {THINNER}",
+        *pulled_notes(punched.found.values()),
     )
     of_beams = (BEAMS,) if combined.model.beams else ()
     return PunchingColumns(heads, cells, (*notes, *of_beams, *missing_notes(punched.missing, support)))

@@ -51,7 +51,7 @@ class Stress:
     distance: float  # from the face [m]
     u: float  # its length that counts [m]
     V_Ed: float  # force that punches, less what relieves it inside [N]
-    beta: float  # by the moments about the perimeter's center (expression 6.51)
+    beta: float | None  # by the moments about the perimeter's center (expression 6.51); None where nothing pushes
     v_Ed: float  # beta V_Ed / (u d) [Pa]
     supported: bool  # whether another support acts inside: in V_Ed is what it adds, not what it takes off
     pressure: float  # contact pressure inside [N]
@@ -75,6 +75,7 @@ class Demand:
     face: Stress | None
     around: tuple[Stress, ...]  # from the face outwards; none where there is no such perimeter on the plate
     ratio: float = 0.0  # of the bars that count
+    pulls: bool = False  # whether a column pulls up, or a pile down
 
     @property
     def at_2d(self) -> Stress | None:

@@ -82,7 +82,7 @@ def _steps(demand: Demand, stress: Stress, steel: Reinforcement, one: Pushing | 
         yield Step("shear force of the slab across the perimeter", "V_Ed", stress.V_Ed / MEGA, "MN", clause="6.4.4(2)")
     else:
         inside = demand.force, stress.others, stress.pressure, stress.edge
-        yield from punching_force(one, ("N_Ed", "V_Ed"), inside, stress.V_Ed, "6.4.4(2), 6.48")
+        yield from punching_force((one, demand.pulls), ("N_Ed", "V_Ed"), inside, stress.V_Ed, "6.4.4(2), 6.48")
     yield Step("distance of the perimeter from the face", "a", stress.distance, "m", clause="6.4.4(2)")
     thinned = stress.control is not None and stress.control.thinned
     words = f"its length, less edges and openings{', less in thinner slab' if thinned else ''}"
@@ -91,20 +91,22 @@ def _steps(demand: Demand, stress: Stress, steel: Reinforcement, one: Pushing | 
     if stress.control is not None:
         yield from _beta(stress, stress.control, concrete.annex.least_beta)
     else:
-        yield Step("factor for an end or a corner", "beta", stress.beta, clause="DIN EN 1992-1-1/NA Figure NA.6.21.1")
-    yield Step("stress", "v_Ed", stress.v_Ed / MEGA, "MPa", en1992.FORMULAS["v_Ed"], "6.4.3(3), 6.38")
+        yield Step(
+            "factor for an end or a corner", "beta", stress.beta or 0.0, clause="DIN EN 1992-1-1/NA Figure NA.6.21.1"
+        )
+    formula = en1992.FORMULAS["v_Ed by M" if stress.beta is None else "v_Ed"]
+    yield Step("stress", "v_Ed", stress.v_Ed / MEGA, "MPa", formula, "6.4.3(3), 6.38")
     yield from _resistance(demand, stress, concrete)
     yield Step("share used", "eta", demand.used(stress), "", "v_Ed / v_Rd", "6.4.4(2)")
     if stress.v_Ed > demand.resistance(stress):
         yield from _with_links(demand, stress, concrete, bars)
     if demand.face is not None and concrete.annex.face:
-        yield from _face(demand.face, concrete)
+        yield from _face(demand.face, concrete, demand.d)
 
 
 def _beta(stress: Stress, control: ControlPerimeter, least: float) -> Iterator[Step]:
     """Yield how beta follows from the moments of all forces inside about the perimeter's center."""
     shares, moduli = [*map(float, control.shares)], [*map(float, control.moduli)]
-    general = en1992.beta(stress.moments, shares, stress.V_Ed, stress.u, moduli)
     bounded = "max(beta_min, {})" if least > 1 else "{}"
     bound = [Step("least factor of the annex", "beta_min", least, clause=LEAST_BETA)] if least > 1 else []
     of_both = [
@@ -113,6 +115,10 @@ def _beta(stress: Stress, control: ControlPerimeter, least: float) -> Iterator[S
          Step(f"modulus of the perimeter along axis {n}", f"W_{n}", W, "m2", clause="6.40"))
         for n, moment, share, W in zip((1, 2), stress.moments, shares, moduli, strict=True)
     ]  # fmt: skip
+    if stress.beta is None:
+        yield from (step for axis in of_both for step in axis)
+        return
+    general = en1992.raised(stress.moments, shares, stress.V_Ed, stress.u, moduli) / stress.V_Ed
     if math.isclose(stress.beta, max(least, general), rel_tol=SAME):
         yield from (step for axis in of_both for step in axis)
         yield from bound
@@ -208,13 +214,19 @@ def _beyond(beyond: Outer, last: Stress) -> Iterator[Step]:
     yield Step("its distance", "a_out", beyond.distance, "m", "a_l + max(u_out - u_l, 0) / g", "6.4.5(4)")
 
 
-def _face(face: Stress, concrete: Concrete) -> Iterator[Step]:
+def _face(face: Stress, concrete: Concrete, d: float) -> Iterator[Step]:
     """Yield the stress at the face and what the concrete bears there."""
     yield Step("force that punches at the face", "V_Ed,0", face.V_Ed / MEGA, "MN", clause="6.4.5(3)")
     yield Step("perimeter of the face that counts", "u_0", face.u, "m", clause="6.4.5(3)")
-    words = "factor for the column's own force and moments about the outermost perimeter's center"
-    yield Step(words, "beta_0", face.beta, clause="6.4.5(3)")
-    formula = "beta_0 * V_Ed,0 / (u_0 * d)"
+    if face.beta is None:
+        added = face.v_Ed * face.u * d - face.V_Ed
+        words = "what the column's own moments about the outermost perimeter's center add"
+        yield Step(words, "V_M,0", added / MEGA, "MN", clause="6.4.5(3)")
+        formula = "(V_Ed,0 + V_M,0) / (u_0 * d)"
+    else:
+        words = "factor for the column's own force and moments about the outermost perimeter's center"
+        yield Step(words, "beta_0", face.beta, clause="6.4.5(3)")
+        formula = "beta_0 * V_Ed,0 / (u_0 * d)"
     yield Step("stress at the face", "v_Ed,0", face.v_Ed / MEGA, "MPa", formula, "6.4.5(3)")
     a, b, c = concrete.annex.nu
     yield Step("factor of the concrete in struts", "alpha_cc", concrete.alpha_cc_shear, clause="3.1.6(1)")

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from groundslab.design.basis.check import DesignCheck, Status
 from groundslab.design.basis.demand_errors import error_of_ratio, scaled
-from groundslab.design.basis.punching import judged, with_the_rest
+from groundslab.design.basis.punching import judged, with_the_rest, with_way
 from groundslab.design.basis.wall_ends import NO_WALL, loaded_ends
 from groundslab.design.demands.perimeter_loads import punching_piles
 from groundslab.design.demands.zones.thicker_zones import NONE, zone_forces
@@ -70,9 +70,9 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
     steel = combined.model.reinforcement
     assert steel is not None
     if combined.model.columns:
-        yield from _checks(steel, column_demands(combined), "punching", ("column", "no column pushes down"))
+        yield from _checks(steel, column_demands(combined), "punching", ("column", "no column pushes or pulls"))
     if punching_piles(combined.model):
-        yield from _checks(steel, pile_demands(combined), "punching over piles", ("pile", "no pile pushes up"))
+        yield from _checks(steel, pile_demands(combined), "punching over piles", ("pile", "no pile pushes or pulls"))
     if zone_forces(combined):
         yield from _checks(steel, zone_demands(combined), "punching around thicker zones", ("thicker zone", NONE))
     if loaded_ends(combined.model):
@@ -106,7 +106,7 @@ def _checks(steel: Reinforcement, demands: Demands, name: str, pushing: tuple[st
     known, missing = demands
     one, none = pushing
     those, supported = judged(known.values(), lambda demand: demand.used)
-    check = _worst(those, steel, name) if those else None
+    check = with_way(_worst(those, steel, name), known) if those else None
     yield from with_the_rest(check, name, (f"{one}s", none, CUT), supported, missing)
 
 
@@ -120,7 +120,7 @@ def _worst(judged: list[Punching], steel: Reinforcement, name: str) -> DesignChe
     least = " = tau_Rdc,min (8.4.1(2))" if demand.tau_min > demand.tau_Rd_c else f" = tau_Rd,c with {which} (8.4.3)"
     words = (
         f'{demand.name} in "{demand.combination}": tau_Ed {demand.tau_Ed / 1e6:.3g} MPa on b_0.5 {demand.b_05:.2f} m, '
-        f"with beta_e {demand.beta_e:.2f}, is {demand.used:.3g} times {demand.resistance / 1e6:.3g} MPa{least}"
+        f"{_with(demand)}, is {demand.used:.3g} times {demand.resistance / 1e6:.3g} MPa{least}"
     )
     if demand.concentrated:
         words += "; tau_Ed is not less than by the shear forces of the analysis, as a large force is near (8.4.2(8))"
@@ -137,6 +137,11 @@ def _worst(judged: list[Punching], steel: Reinforcement, name: str) -> DesignChe
         unit="MPa", clause="EN 1992-1-1:2023 8.4.1, 8.4.3, 8.4.4", combination=demand.combination, place=demand.place,
         error=scaled(error, demand.resistance / 1e6),
     )  # fmt: skip
+
+
+def _with(demand: Punching) -> str:
+    """Return in words how moments count."""
+    return "by moments" if demand.beta_e is None else f"with beta_e {demand.beta_e:.2f}"
 
 
 def _beyond_links(demand: Punching, steel: Reinforcement) -> float:

@@ -14,6 +14,7 @@ from groundslab.design.basis.punching import (
     cells_inside,
     edge_note,
     missing_notes,
+    pulled_notes,
 )
 from groundslab.design.en1992_2023.checks.punching_demand import (
     Demands,
@@ -34,17 +35,17 @@ _HEADS: Heads = (
 
 
 def at_columns(combined: Results, steel: Reinforcement) -> PunchingColumns:
-    """Return punching at columns that push down."""
+    """Return punching at columns."""
     return _columns(combined, steel, column_demands(combined), "column")
 
 
 def over_piles(combined: Results, steel: Reinforcement) -> PunchingColumns:
-    """Return punching of the plate over piles that push up."""
+    """Return punching of the plate over piles."""
     return _columns(combined, steel, pile_demands(combined), "pile")
 
 
 def around_zones(combined: Results, steel: Reinforcement) -> PunchingColumns:
-    """Return punching around thicker zones whose columns push down."""
+    """Return punching around thicker zones with columns."""
     return _columns(combined, steel, zone_demands(combined), "zone")
 
 
@@ -63,6 +64,7 @@ def _columns(combined: Results, steel: Reinforcement, demands: Demands, support:
         "nearer than 8 d_v (8.4.3(2)). tau_Ed / tau_Rd,c is over tau_Rdc,min where that is larger (8.4.1(2)).",
         edge_note(steel, support),
         f"{DEPTH[support].replace('d is', 'd_v is')} {THINNER}",
+        *pulled_notes(known.values()),
         *((AROUND,) if support == "zone" else ()),
         f"{SECOND_HAND}.",
         *((BEAMS,) if combined.model.beams else ()),

@@ -13,7 +13,7 @@ from groundslab.design.basis.combinations import ultimate_results
 from groundslab.design.basis.demand_errors import error_of, scaled
 from groundslab.design.by_plate import plate_under
 from groundslab.design.demands import perimeter_loads
-from groundslab.design.demands.perimeter_loads import PerimeterLoads, PunchingForce, PunchingShear
+from groundslab.design.demands.perimeter_loads import PerimeterLoads, Places, PunchingForce, PunchingShear
 from groundslab.design.demands.perimeter_shear import contraflexure
 from groundslab.design.demands.zones.thicker_zones import zone_forces
 from groundslab.design.en1992_2023 import punching as en1992
@@ -45,7 +45,7 @@ class Punching:
     a_p: float  # mean distance of contraflexure; inf if it is far [m]
     V_Ed: float  # force that punches, less what relieves it without links [N]
     V_links: float  # the same with links, of which the pressure up to the perimeter relieves [N]
-    beta_e: float
+    beta_e: float | None  # None where nothing pushes
     tau_Ed: float  # that counts without links [Pa]
     of_analysis: float | None  # by shear forces along the perimeter [Pa]
     tau_Rd_c: float  # [Pa]
@@ -57,8 +57,10 @@ class Punching:
     place: tuple[float, float]  # [m]
     error: Callable[[], float | None] = field(repr=False, compare=False)  # of the share used, as one of tau_Ed [Pa]
     section: CriticalSection | None = None  # of a column or pile
-    eccentricities: tuple[float, float] = (0.0, 0.0)  # along the section's axes [m]
+    eccentricities: tuple[float, float] = (0.0, 0.0)  # along the section's axes [m]; moments where nothing pushes [N m]
+    turned: float = 0.0  # what these moments add to V_Ed [N]
     concentrated: bool = False  # whether a large force acts close by
+    pulls: bool = False  # whether a column pulls up, or a pile down
 
     @property
     def resistance(self) -> float:
@@ -73,12 +75,13 @@ class Punching:
     @property
     def tau_links(self) -> float:
         """Return tau_Ed of a slab with links [Pa]."""
-        by_force = self.beta_e * self.V_links / (self.b_05 * self.d)
+        raised = self.V_links + self.turned if self.beta_e is None else self.beta_e * self.V_links
+        by_force = raised / (self.b_05 * self.d)
         return max(by_force, self.of_analysis or 0.0) if self.concentrated else by_force
 
 
 #: Those of the columns and piles of a model, or why there is none, by its mesh.
-_SECTIONS: Memo[dict[tuple[bool, str], CriticalSection | str]] = Memo()
+_SECTIONS: Memo[Places[CriticalSection | str]] = Memo()
 
 #: Demands by combination and name, and why some have none, by name.
 Demands = tuple[dict[tuple[str, str], Punching], Mapping[str, str]]
@@ -86,13 +89,13 @@ Demands = tuple[dict[tuple[str, str], Punching], Mapping[str, str]]
 
 @made_once
 def column_demands(combined: Results) -> Demands:
-    """Return the demands at columns that push down."""
+    """Return the demands at columns."""
     return _of_kind(combined, perimeter_loads.punching_columns(combined.model))
 
 
 @made_once
 def pile_demands(combined: Results) -> Demands:
-    """Return the demands over piles that push up."""
+    """Return the demands over piles."""
     return _of_kind(combined, perimeter_loads.punching_piles(combined.model))
 
 
@@ -121,7 +124,8 @@ def _demands(combined: Results, forces: tuple[PunchingForce, ...], others: tuple
             missing[punching.name] = section
             continue
         for result in pushing:
-            found[result.combination, punching.name] = _demand(result, section, (punching, others), steel)
+            demand = _demand(result, section, (punching, others), steel)
+            perimeter_loads.add_worse(found, (result.combination, punching.name), demand, lambda each: each.used)
     return found, missing
 
 
@@ -136,8 +140,7 @@ def _demand(
     concrete, bars = materials(steel, results.limit_state)
     shear = _shear(results, section.relieved, section, punching, steel)
     with_links = _shear(results, section.inside, section, punching, steel)
-    first, second = _eccentricities(results, section, punching, shear)
-    beta_e = en1992.beta(en1992.eccentricity(section.course.shape, first, second), *section.widths)
+    beta_e, e_or_M, turned = _beta(results, section, punching, shear)
     concentrated = _concentrated(results, section, punching, others, shear.V)
     a_p = _contraflexure(results, section, punching)
     tau_min = float(minimum_resistance(concrete, bars, section.d))
@@ -182,8 +185,10 @@ def _demand(
         place=punching.place,
         error=error,
         section=section,
-        eccentricities=(first, second),
+        eccentricities=e_or_M,
+        turned=turned,
         concentrated=concentrated,
+        pulls=punching.pulls,
     )
 
 
@@ -200,20 +205,25 @@ def _shear(
     )
 
 
-def _eccentricities(
+def _beta(
     results: CombinationResult, section: CriticalSection, punching: PunchingForce, shear: PunchingShear
-) -> tuple[float, float]:
-    """Return how far the support's force, by its own moments, acts from the perimeter's center along its axes [m].
+) -> tuple[float | None, tuple[float, float], float]:
+    """Return beta_e, and how far the support's force, by its own moments, acts from the perimeter's center [m].
 
-    Of a zone, on which walls and other loads stand besides its columns, it is the force of all inside.
+    That is along the section's axes. Of a zone, on which walls and other loads stand besides its columns, it is the
+    force of all inside. Where no force acts, or none is left inside, beta_e has no value: then the moments of all
+    inside along the axes [N m], and what they add to V_Ed [N], which (beta_e - 1) V_Ed would be.
     """
-    if punching.at_zone and shear.V > 0:
-        first, second = section.axes @ (shear.moments / shear.V)
-        return float(first), float(second)
-    force, *moments = punching.pushing(results)
-    place = np.array(punching.place) + np.array(moments) / force
-    first, second = section.axes @ (place - section.center)
-    return float(first), float(second)
+    pushing, shape = punching.pushing(results), section.course.shape
+    if shear.V <= 0 or perimeter_loads.only_turns(pushing):
+        first, second = map(float, section.axes @ shear.moments)
+        return None, (first, second), en1992.turned(en1992.eccentricity(shape, first, second), *section.widths)
+    if punching.at_zone:
+        away = shear.moments / shear.V
+    else:
+        away = np.array(punching.place) + pushing[1:] / pushing[0] - section.center
+    first, second = map(float, section.axes @ away)
+    return en1992.beta(en1992.eccentricity(shape, first, second), *section.widths), (first, second), 0.0
 
 
 def _stress(
@@ -226,8 +236,8 @@ def _stress(
 ) -> float:
     """Return tau_Ed [Pa]: beta_e V_Ed / (b_0.5 d_v), and that of the analysis if a large force acts close by."""
     shear = _shear(results, section.relieved, section, punching, steel)
-    e_b = en1992.eccentricity(section.course.shape, *_eccentricities(results, section, punching, shear))
-    by_force = en1992.beta(e_b, *section.widths) * shear.V / (section.b_05 * section.d)
+    beta_e, _, turned = _beta(results, section, punching, shear)
+    by_force = (shear.V + turned if beta_e is None else beta_e * shear.V) / (section.b_05 * section.d)
     return max(by_force, _of_analysis(results, section, punching) or 0.0) if concentrated else by_force
 
 
@@ -262,8 +272,8 @@ def _concentrated(
     """Return whether another column or pile with a large force stands close to the perimeter."""
     inside = section.line.inside
     return V > 0 and any(
-        float(other.pushing(results)[0]) >= LARGE * V
+        abs(float(other.pushing(results)[0])) >= LARGE * V
         and other.footprint.footprint().distance(inside) < NEAR * section.d
         for other in others
-        if other is not punching and not set(other.columns) & set(punching.columns)
+        if other.key != punching.key and not set(other.columns) & set(punching.columns)
     )

@@ -78,11 +78,11 @@ def _steps(demand: Punching, steel: Reinforcement, one: Pushing | None) -> Itera
         yield Step("shear force of the slab across the perimeter", "V_Ed", demand.V_Ed / MEGA, "MN", clause="8.4.2(6)")
     else:
         inside = demand.force, demand.others, demand.pressure, demand.edge
-        yield from punching_force(one, ("N_Ed", "V_Ed"), inside, demand.V_Ed, "8.4.2(6)")
+        yield from punching_force((one, demand.pulls), ("N_Ed", "V_Ed"), inside, demand.V_Ed, "8.4.2(6)")
     yield Step("effective depth", "d_v", demand.d, "m", clause="8.4.2(1), 8.91")
     yield Step("perimeter at d_v / 2 that counts", "b_05", demand.b_05, "m", clause="8.4.2(2) to (5)")
     if demand.section is None:
-        yield Step("factor for an end or a corner", "beta_e", demand.beta_e, clause="Figure 8.21")
+        yield Step("factor for an end or a corner", "beta_e", demand.beta_e or 0.0, clause="Figure 8.21")
     else:
         yield from _beta(demand, demand.section, one or "column")
     yield from _stress(demand)
@@ -103,7 +103,15 @@ def _steps(demand: Punching, steel: Reinforcement, one: Pushing | None) -> Itera
 
 
 def _beta(demand: Punching, section: CriticalSection, one: Pushing) -> Iterator[Step]:
-    """Yield how beta_e follows from the support's eccentricity."""
+    """Yield how beta_e follows from the support's eccentricity, or what moments add where nothing pushes."""
+    if demand.beta_e is None:
+        for n, M, width in zip((1, 2), demand.eccentricities, section.widths, strict=True):
+            yield Step(f"moment of all forces by their places along axis {n}", f"M_{n}", M / MEGA, "MNm")
+            yield Step(f"overall width of the perimeter along axis {n}", f"b_{n}", width, "m", clause="Figure 8.21")
+        M_b = en1992.eccentricity(section.course.shape, *demand.eccentricities)
+        formula = F[f"e_b {_kind(section)}"].replace("e_", "M_")
+        yield Step("moment that counts", "M_b", M_b / MEGA, "MNm", formula, "Table 8.3")
+        return
     for n, e, width in zip((1, 2), demand.eccentricities, section.widths, strict=True):
         yield Step(f"eccentricity of the {one}'s force along axis {n}", f"e_{n}", e, "m", clause="Table 8.3")
         yield Step(f"overall width of the perimeter along axis {n}", f"b_{n}", width, "m", clause="Figure 8.21")
@@ -120,12 +128,14 @@ def _kind(section: CriticalSection) -> str:
 
 def _stress(demand: Punching) -> Iterator[Step]:
     """Yield tau_Ed, by beta_e, or of the analysis where that counts and is larger."""
-    by_force = demand.beta_e * demand.V_Ed / (demand.b_05 * demand.d)
+    raised = demand.V_Ed + demand.turned if demand.beta_e is None else demand.beta_e * demand.V_Ed
+    by_force = raised / (demand.b_05 * demand.d)
     if demand.tau_Ed > by_force:
         words = "stress by the shear forces of the analysis, as a large force is near"
         yield Step(words, "tau_Ed", demand.tau_Ed / MEGA, "MPa", clause="8.4.2(7), 8.4.2(8), 8.93")
     else:
-        yield Step("stress", "tau_Ed", by_force / MEGA, "MPa", F["tau_Ed"], "8.4.2(6), 8.92")
+        formula = F["tau_Ed by M" if demand.beta_e is None else "tau_Ed"]
+        yield Step("stress", "tau_Ed", by_force / MEGA, "MPa", formula, "8.4.2(6), 8.92")
 
 
 def _links(demand: Punching, steel: Reinforcement) -> Iterator[Step]:
