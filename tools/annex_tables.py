@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from typing import Any
 
-from groundslab.design.en1992.annex import ANNEXES, actions, file_of
+from groundslab.design.en1992.annex import ANNEXES, file_of
 from groundslab.design.eurocode2.annex_files import Table
+from groundslab.model.loads.annexes import action_parameters
 
 #: Those looked through, which have columns of the first table.
 WHOLE = ("Germany", "United Kingdom")
@@ -34,14 +35,20 @@ def tables() -> str:
 
 
 def table_of_actions() -> str:
-    """Return the table of what EN 1990 and EN 1997-1 leave to nations."""
-    heads = ["clause", "what", "key", "recommended", *WHOLE, "sources", "tests"]
-    rows = []
-    for row in actions():
-        national = [_value(row["national"][name]) if name in row.get("national", {}) else "" for name in WHOLE]
+    """Return the table of what EN 1990 and EN 1997-1 leave to nations, and what is not taken from annexes."""
+    rows, left_out = action_parameters()["rows"], action_parameters()["left_out"]
+    nations = sorted({name for row in rows for name in row.get("national", {})})
+    heads = ["clause", "what", "key", "recommended", *nations, "sources", "tests"]
+    lines = []
+    for row in rows:
+        own, sources = row.get("national", {}), row["sources"]
+        national = [_value(own[name]) if name in own else "" for name in nations]
+        found = [_sources(sources["recommended"]), *(f"{name}: {_sources(sources[name])}" for name in own)]
         key, value = f"`{row['key']}`", _value(row["recommended"])
-        rows.append([row["clause"], row["quantity"], key, value, *national, _sources(row["sources"]), _tests(row)])
-    return _table(heads, rows) + "\n"
+        lines.append([row["clause"], row["quantity"], key, value, *national, "<br>".join(found), _tests(row)])
+    parts = [_table(heads, lines), "", "Not followed:", ""]
+    parts += [f"- {name}, {each}" for name, all_of in left_out.items() for each in all_of]
+    return "\n".join(parts) + "\n"
 
 
 def _row(key: str, each: dict[str, Any], national: dict[str, Table]) -> list[str]:

@@ -120,7 +120,7 @@ def to_toml(part: Section) -> str:
 def lines_of(parts: Mapping[str, Any], kind: type[Section]) -> list[str]:
     """Return the lines of a file with some parts of a section of a kind, such as a Model; others are left out."""
     part = object.__new__(kind)
-    vars(part).update(kind.field_defaults, **parts)
+    vars(part).update(kind.field_defaults, **parts, _given=frozenset(parts))
     fields = {name: field for name, field in kind.model_fields.items() if name in parts}
     return list(_lines(part, "", fields))
 
@@ -159,7 +159,7 @@ def _lines(part: Section, path: str, fields: Mapping[str, Field] | None = None) 
                 tables.append((f"[{below}]", value))
         elif key is None:
             yield f"{name} = {quote(value)}"
-        elif value is not None and (field.required or value != field.default):
+        elif value is not None and (field.required or value != field.default) and name in part.model_fields_set:
             yield f"{name} = {key.write(value)}"
     for heading, inner_part in tables:
         yield ""

@@ -6,7 +6,7 @@ floats in SI units or text with units; InputError lists all issues at once. Posi
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Set
 from typing import Annotated, Any, ClassVar, Self
 
 from groundslab.geometry.plan import Place, Ring, Segment
@@ -48,6 +48,13 @@ from groundslab.schema.base import Check, Section
 from groundslab.schema.fields import Text
 from groundslab.schema.section_fields import Table
 from groundslab.unit_systems import System
+
+
+def _annex_of_actions(combine: Combine | None, reinforcement: Reinforcement | None) -> str:
+    """Return the national annex of actions: that of automatic combinations, else that of the design."""
+    if combine is not None and combine.annex is not None and "annex" in combine.model_fields_set:
+        return combine.annex
+    return "recommended" if reinforcement is None else reinforcement.annex
 
 
 class Model(Section):
@@ -177,6 +184,17 @@ class Model(Section):
     def complete(cls, data: Mapping[Any, Any]) -> Mapping[Any, Any]:
         """Find the places of what is attached to axes."""
         return attach_to_axes(data)
+
+    @classmethod
+    def derive(cls, values: dict[str, Any], named: Set[Any]) -> dict[str, Any]:  # noqa: ARG003
+        """Give cases and automatic combinations the national psi and partial factors that they do not give."""
+        combine: Combine | None = values.get("combine")
+        cases: tuple[LoadCase, ...] = values.get("cases", ())
+        annex = _annex_of_actions(combine, values.get("reinforcement"))
+        by_annex: dict[str, Any] = {"cases": tuple(case.by_annex(annex) for case in cases)} if cases else {}
+        if combine is not None:
+            by_annex["combine"] = combine.by_annex(annex)
+        return {**values, **by_annex}
 
     @property
     def origin(self) -> tuple[float, float]:

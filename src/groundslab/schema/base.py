@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import inspect
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Set
 from dataclasses import FrozenInstanceError
 from functools import cache, partial
 from typing import TYPE_CHECKING, Any, ClassVar, Self
@@ -67,6 +67,11 @@ class Section(metaclass=SectionType):
         return data
 
     @classmethod
+    def derive(cls, values: dict[str, Any], named: Set[Any]) -> dict[str, Any]:  # noqa: ARG003
+        """Return the values of fields, with those that follow from others in place of defaults; some were named."""
+        return values
+
+    @classmethod
     def read(cls, data: Any, from_file: bool) -> Self:
         """Return the section that data describe, or are; raises FieldError.
 
@@ -83,6 +88,7 @@ class Section(metaclass=SectionType):
         # of a list far too long nothing else is said, as all that could be takes long to find
         if too_long := _too_long(cls, data):
             raise FieldError(*too_long)
+        named = data.keys()
         data, fields = cls.complete(data), cls.model_fields
         faults: list[list[RelativeIssue]] = []
         sound: dict[str, Any] = {}
@@ -106,6 +112,7 @@ class Section(metaclass=SectionType):
             for name in data
             if name in fields and (from_file or name not in sound or sound[name] != fields[name].default)
         }
+        sound = cls.derive(sound, named)
         known = sound.keys() | {"given"}
         for check in cls.checks:
             needs = _needs(check)
@@ -114,7 +121,7 @@ class Section(metaclass=SectionType):
         relative_issues = _say_what_follows(cls, data, relative_issues)
         if relative_issues:
             raise FieldError(*_limit_issues(relative_issues))
-        return cls._of(sound, data.keys())
+        return cls._of(sound, named)
 
     @classmethod
     def _of(cls, values: Mapping[str, Any], given: Any) -> Self:
@@ -137,8 +144,18 @@ class Section(metaclass=SectionType):
             With all issues of the changed section.
         """
         left = dict.fromkeys(name for name, keys in self.follow.items() if changes.keys() & set(keys))
-        values = {**dict(self), **left, **changes}
+        named = {name: value for name, value in self if name in self.model_fields_set}
+        values = {**named, **left, **changes}
         return type(self)(**{name: value for name, value in values.items() if value is not None})
+
+    def with_derived(self, values: Mapping[str, Any]) -> Self:
+        """Return a copy with values that follow from other sections where none are given: still none is given."""
+        new = {name: value for name, value in values.items() if name not in self.model_fields_set}
+        if all(getattr(self, name) == value for name, value in new.items()):
+            return self
+        copied = self.model_copy()
+        vars(copied).update(new)
+        return copied
 
     def model_copy(self, *, update: Mapping[str, Any] | None = None) -> Self:
         """Return a copy with some fields changed, unchecked."""

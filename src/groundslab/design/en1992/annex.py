@@ -8,14 +8,13 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache
-from typing import Any
 
-from groundslab.design.eurocode2.annex_files import AnnexFile, read_file, read_rows, values_of
+from groundslab.design.eurocode2.annex_files import AnnexFile, read_file, values_of
 
 #: Names of the annexes, and their files.
 ANNEXES = {
-    "recommended": "recommended", "France": "france", "Germany": "germany", "Italy": "italy", "Poland": "poland",
-    "Spain": "spain", "United Kingdom": "united_kingdom",
+    "recommended": "recommended", "Austria": "austria", "France": "france", "Germany": "germany", "Italy": "italy",
+    "Netherlands": "netherlands", "Poland": "poland", "Spain": "spain", "United Kingdom": "united_kingdom",
 }  # fmt: skip
 
 
@@ -55,9 +54,10 @@ class Annex:
     k_4: float
     crack_spacing_by_stress: bool
     least_f_ct: float
+    tension_depth: tuple[float, float]
     w_max: Mapping[str, float]
     c_min_dur: Mapping[str, float]
-    delta_c_dev: float
+    delta_c_dev: tuple[float, float]
     beam_links: tuple[float, float]
     slab_links: float
     lap: tuple[float, float]
@@ -74,11 +74,6 @@ def annex_of(name: str) -> Annex:
 def file_of(name: str) -> AnnexFile:
     """Return the file of an annex, whose parameters each have value, clause and sources."""
     return read_file("groundslab.design.en1992", ANNEXES[name])
-
-
-def actions() -> list[dict[str, Any]]:
-    """Return the national parameters of EN 1990 and EN 1997-1, which are keys of a case."""
-    return read_rows("groundslab.design.en1992", "actions")
 
 
 #: What is taken where no annex is named.

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from groundslab.design.en1992.annex import annex_of
+from groundslab.design.en1992.annex import Annex, annex_of
 from groundslab.design.en1992.materials import Concrete, Steel
 from groundslab.design.eurocode2.materials import strengths
 from groundslab.model.design.laid_bars import axis_of, bars_of
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.fields import LAYERS
 
-__all__ = ["largest_cover", "least_cover", "materials", "strengths", "widest_crack"]
+__all__ = ["deviation", "largest_cover", "least_cover", "materials", "strengths", "widest_crack"]
 
 
 def materials(steel: Reinforcement, limit_state: str = "ultimate") -> tuple[Concrete, Steel]:
@@ -36,13 +36,22 @@ def widest_crack(steel: Reinforcement) -> float | None:
 def least_cover(steel: Reinforcement, diameter: float) -> float | None:
     """Return c_min + Delta c_dev [m] of a bar [m] (4.4.1); None where the annex leaves the exposure to others.
 
-    Without exposure it is what bond asks for: the bar's diameter and at least 10 mm (4.4.1.2(2), (3)).
+    Without exposure it is what bond asks for: the bar's diameter and at least 10 mm (4.4.1.2(2), (3)). Some annexes
+    add less to it than to what durability asks for.
     """
     annex = annex_of(steel.annex)
     if steel.exposure is not None and steel.exposure not in annex.c_min_dur:
         return None
-    durable = 0.0 if steel.exposure is None else annex.c_min_dur[steel.exposure]
-    return max(durable, diameter, 0.010) + annex.delta_c_dev
+    of_bond = max(diameter, 0.010) + deviation(annex, None)
+    if steel.exposure is None:
+        return of_bond
+    return max(of_bond, annex.c_min_dur[steel.exposure] + deviation(annex, steel.exposure))
+
+
+def deviation(annex: Annex, exposure: str | None) -> float:
+    """Return Delta c_dev [m] that an annex adds to the cover for durability in an exposure class, or for bond."""
+    durable, lower = annex.delta_c_dev
+    return lower if exposure in (None, "XC1") else durable
 
 
 def largest_cover(steel: Reinforcement, face: str = "") -> float:

@@ -33,6 +33,9 @@ _MPA = 1e6
 FORMULAS = {
     **SECTION,
     "rho": "A_s / min(2.5 * (h - d), (h - x) / 3, h / 2)",
+    "h_c,ef": "max(2.5 * (h - d), min(k_h * h + 2 * (h - d), 5 * (h - d)))",
+    "rho h_c,ef": "A_s / min(h_c,ef, (h - x) / 3, h / 2)",
+    "rho_t h_c,ef": "A_s / min(h_c,ef, h / 2)",
     "eps": "max(sigma_s - k_t * f_ctm / rho * (1 + E_s / E_cm * rho), 0.6 * sigma_s) / E_s",
     "s_r near": "k_3 * c + k_1 * k_2 * k_4 * phi / rho",
     "s_r far": "1.3 * (h - x)",
@@ -62,9 +65,19 @@ def bar_stress(m: Array, h: Array, bars: Bars, concrete: Concrete, steel: Steel,
     return steel_stress(np.asarray(m), d, np.asarray(bars.area), steel.E_s / (E_c or concrete.E_cm))
 
 
-def effective_ratio(h: Array, d: Array, x: Array, area: Array) -> Array:
+def effective_depth(h: Array, axis: Array | float, k_h: float) -> Array:
+    """Return h_c,ef (n,) [m] of bars whose axes lie so far [m] from the face, 7.3.2(3), before its other limits.
+
+    It is 2.5 of that distance; by the German annex (Figure 7.1DE d) it grows in thick slabs to 5 of it, straight with
+    h, k_h being 0.05 in bending and 0.1 in tension.
+    """
+    axis = np.asarray(axis)
+    return np.asarray(np.maximum(2.5 * axis, np.minimum(k_h * np.asarray(h) + 2 * axis, 5 * axis)))
+
+
+def effective_ratio(h: Array, d: Array, x: Array, area: Array, annex: Annex = RECOMMENDED) -> Array:
     """Return rho_p,eff (n,): bars over the effective area of concrete in tension, 7.3.2(3)."""
-    depth = np.minimum(np.minimum(2.5 * (h - d), (h - x) / 3), h / 2)
+    depth = np.minimum(np.minimum(effective_depth(h, h - d, annex.tension_depth[0]), (h - x) / 3), h / 2)
     return np.asarray(area / depth)
 
 
@@ -109,7 +122,7 @@ def crack_width(
     d = h - bars.cover - bars.diameter / 2
     modular_ratio = steel.E_s / (E_c or concrete.E_cm)
     x = neutral_axis(d, np.asarray(bars.area), modular_ratio)
-    rho = effective_ratio(h, d, x, np.asarray(bars.area))
+    rho = effective_ratio(h, d, x, np.asarray(bars.area), concrete.annex)
     sigma_s = bar_stress(m, h, bars, concrete, steel, E_c)
     s_r = largest_spacing(bars, h, x, rho, concrete.annex)
     if concrete.annex.crack_spacing_by_stress:
@@ -146,10 +159,10 @@ def tension_force(h: Array, f_ct: float) -> Array:
     return np.asarray(depth_factor(h) * f_ct * h / 2)
 
 
-def tension_ratio(h: Array, bars: Bars) -> Array:
+def tension_ratio(h: Array, bars: Bars, annex: Annex = RECOMMENDED) -> Array:
     """Return rho_p,eff (n,) of one face of a section that is all in tension, 7.3.2(3) and Figure 7.1 c."""
-    axis = bars.cover + bars.diameter / 2
-    return np.asarray(bars.area / np.minimum(2.5 * axis, np.asarray(h) / 2))
+    depth = effective_depth(h, bars.cover + bars.diameter / 2, annex.tension_depth[1])
+    return np.asarray(bars.area / np.minimum(depth, np.asarray(h) / 2))
 
 
 def tension_k_2(annex: Annex) -> float:
@@ -159,7 +172,7 @@ def tension_k_2(annex: Annex) -> float:
 
 def tension_spacing(h: Array, bars: Bars, sigma_s: Array, concrete: Concrete, f_ct: float) -> Array:
     """Return s_r,max (n,) [m] of a slab that is cracked all through."""
-    annex, rho = concrete.annex, tension_ratio(h, bars)
+    annex, rho = concrete.annex, tension_ratio(h, bars, concrete.annex)
     s_r = largest_spacing(bars, np.asarray(h), np.zeros(np.shape(h)), rho, annex, tension_k_2(annex))
     return np.minimum(s_r, spacing_by_stress(sigma_s, bars, concrete, f_ct)) if annex.crack_spacing_by_stress else s_r
 
@@ -167,5 +180,5 @@ def tension_spacing(h: Array, bars: Bars, sigma_s: Array, concrete: Concrete, f_
 def tension_crack_width(h: Array, bars: Bars, concrete: Concrete, steel: Steel, f_ct: float) -> Array:
     """Return w_k (n,) [m] of a slab h (n,) [m] thick as restraint cracks it all through, loads that last, 7.3.4."""
     sigma_s = tension_force(h, f_ct) / bars.area
-    strain = mean_strain(sigma_s, tension_ratio(h, bars), concrete, steel, LONG_TERM, f_ct)
+    strain = mean_strain(sigma_s, tension_ratio(h, bars, concrete.annex), concrete, steel, LONG_TERM, f_ct)
     return tension_spacing(h, bars, sigma_s, concrete, f_ct) * strain

@@ -41,12 +41,6 @@ def read_file(package: str, name: str) -> AnnexFile:
     )
 
 
-def read_rows(package: str, name: str) -> list[dict[str, Any]]:
-    """Return the rows of a file of the folder annexes of a package."""
-    rows: list[dict[str, Any]] = _content(package, name)["rows"]
-    return rows
-
-
 def _content(package: str, name: str) -> dict[str, Any]:
     """Return what a file of the folder annexes has."""
     return tomllib.loads((files(package) / "annexes" / f"{name}.toml").read_text(encoding="utf-8"))

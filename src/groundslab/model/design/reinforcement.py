@@ -10,6 +10,7 @@ from groundslab.model.design.detailing import AllowedBars, Detailing
 from groundslab.model.design.fire import FireClass, FireFrom
 from groundslab.model.design.restraint import Restraint
 from groundslab.model.ground import POSITIVE
+from groundslab.model.loads.annexes import AnnexName
 from groundslab.model.plate import Plate
 from groundslab.model.plates.further import FurtherPlate, list_plates
 from groundslab.model.plates.region import PlateRegion
@@ -41,9 +42,8 @@ ConcreteClass = Literal[
     "C55/67", "C60/75", "C70/85", "C80/95", "C90/105",
 ]  # fmt: skip
 SteelClass = Literal["B450C", "B500A", "B500B", "B500C", "B550A", "B550B"]
-#: Codes that strength is checked by, annexes of EN 1992-1-1, exposure classes of its Table 4.1.
+#: Codes that strength is checked by, exposure classes of Table 4.1 of EN 1992-1-1.
 Code = Literal["EN 1992-1-1", "ACI 318", "EN 1992-1-1:2023"]
-AnnexName = Literal["recommended", "France", "Germany", "Italy", "Poland", "Spain", "United Kingdom"]
 Exposure = Literal["X0", "XC1", "XC2", "XC3", "XC4", "XD1", "XD2", "XD3", "XS1", "XS2", "XS3"]
 ConcreteChoice = Choice(ConcreteClass, "strength class of the concrete", "give the strength of any other class as f_ck")
 SteelChoice = Choice(SteelClass, "class of the steel", "give the yield strength of any other steel as f_yk")
@@ -197,7 +197,11 @@ class Reinforcement(Section):
     code: Annotated[Code, Choice(Code, "code for the strength checks", "")] = "EN 1992-1-1"
     annex: Annotated[
         AnnexName,
-        Choice(AnnexName, "national parameters of EN 1992-1-1", "other values: gamma_c, gamma_s and alpha_cc"),
+        Choice(
+            AnnexName,
+            "national parameters of EN 1992-1-1, and of combine",
+            "other values: gamma_c, gamma_s and alpha_cc",
+        ),
     ] = "recommended"
     concrete: Annotated[ConcreteClass | None, ConcreteChoice] = None
     steel: Annotated[SteelClass | None, SteelChoice] = None

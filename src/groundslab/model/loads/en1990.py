@@ -30,6 +30,7 @@ from typing import Literal
 
 from groundslab.errors import InputError, Issue
 from groundslab.model.loads import aci318
+from groundslab.model.loads.annexes import document_of
 from groundslab.model.loads.load_cases import Combination, Combine, LimitState, LoadCase
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.wording import describe
@@ -74,6 +75,8 @@ def make_combinations(combine: Combine, cases: Sequence[LoadCase]) -> tuple[Comb
     InputError where there would be more than MOST_COMBINATIONS.
     """
     made: list[Combination] = []
+    own = combine.annex is not None and combine.expression != "ACI 318" and document_of(combine.annex)
+    national = f", {combine.annex}" if own else ""
     for limit_state in combine.sets:
         seen: set[Terms] = set()
         for rule, terms in _all_terms(combine, cases, limit_state):
@@ -81,7 +84,7 @@ def make_combinations(combine: Combine, cases: Sequence[LoadCase]) -> tuple[Comb
                 continue
             seen.add(terms)
             name = f"{_TITLES[limit_state]} {len(seen)}"
-            made.append(Combination(name=name, limit_state=limit_state, factors=terms, rule=rule))
+            made.append(Combination(name=name, limit_state=limit_state, factors=terms, rule=rule + national))
             if len(made) > MOST_COMBINATIONS:
                 variable = sum(case.action == "variable" for case in cases)
                 expected = f"at most {MOST_COMBINATIONS} combinations"

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Set
 from typing import Annotated, Any, ClassVar, Literal, Self
 
 from groundslab.errors import Repair
+from groundslab.model.loads.annexes import AnnexName, factors_of, psi_of
 from groundslab.schema.base import Check, Section
 from groundslab.schema.fields import Boolean, Choice, Factors, ListOf, Number, Quantity, Text
 from groundslab.schema.issues import RelativeIssue
@@ -22,12 +23,16 @@ STRENGTH: tuple[LimitState, ...] = ("ultimate", "accidental", "seismic")
 SERVICEABILITY: tuple[LimitState, ...] = ("characteristic", "frequent", "quasi-permanent")
 Expression = Literal["6.10", "6.10a and 6.10b", "ACI 318"]
 
-Category = Literal["A", "B", "C", "D", "E", "F", "G", "H", "snow", "snow above 1000 m", "wind", "temperature"]
-#: psi_0, psi_1 and psi_2 by category of action, the recommended values of EN 1990 Table A1.1.
+Category = Literal[
+    "A", "B", "C", "D", "E", "F", "G", "H", "snow", "snow above 1000 m", "wind", "temperature", "settlement"
+]  # fmt: skip
+#: psi_0, psi_1 and psi_2 by category of action, the recommended values of EN 1990 Table A1.1; settlements of the ground
+#: have those of DIN EN 1990/NA, as they stay.
 PSI: Mapping[str, tuple[float, float, float]] = {
     "A": (0.7, 0.5, 0.3), "B": (0.7, 0.5, 0.3), "C": (0.7, 0.7, 0.6), "D": (0.7, 0.7, 0.6), "E": (1.0, 0.9, 0.8),
     "F": (0.7, 0.7, 0.6), "G": (0.7, 0.5, 0.3), "H": (0.0, 0.0, 0.0), "snow": (0.5, 0.2, 0.0),
     "snow above 1000 m": (0.7, 0.5, 0.2), "wind": (0.6, 0.2, 0.0), "temperature": (0.6, 0.5, 0.0),
+    "settlement": (1.0, 1.0, 1.0),
 }  # fmt: skip
 
 SHARE = Range(at_least=0, at_most=1)
@@ -71,12 +76,14 @@ class LoadCase(Section):
     H_y: Annotated[float, Quantity("force", "H_y", "horizontal force on the slab along y", example="100 kN")] = 0.0
 
     @classmethod
-    def complete(cls, data: Mapping[Any, Any]) -> Mapping[Any, Any]:
+    def derive(cls, values: dict[str, Any], named: Set[Any]) -> dict[str, Any]:
         """Fill in the psi that are not given, by the category."""
-        category = data.get("category")
-        if not isinstance(category, str) or category not in PSI:
-            return data
-        return {**dict(zip(("psi_0", "psi_1", "psi_2"), PSI[category], strict=True)), **data}
+        psi = _psi_of_category(values.get("category"))
+        return {**values, **{name: value for name, value in psi.items() if name not in named}}
+
+    def by_annex(self, annex: str) -> Self:
+        """Return the case with the psi of a national annex, but for those that it gives itself."""
+        return self.with_derived(_psi_of_category(self.category, annex))
 
     def replace(self, **changes: Any) -> Self:
         """Return a copy with some fields changed, validated again; another category brings its psi.
@@ -88,6 +95,12 @@ class LoadCase(Section):
         """
         reset = dict.fromkeys(("psi_0", "psi_1", "psi_2")) if "category" in changes else {}
         return super().replace(**{**reset, **changes})
+
+
+def _psi_of_category(category: str | None, annex: str = "recommended") -> dict[str, float]:
+    """Return the psi of a category by an annex, by their keys; none without category."""
+    values = () if category is None else psi_of(annex).get(category, PSI[category])
+    return dict(zip(("psi_0", "psi_1", "psi_2"), values, strict=False))
 
 
 def _check_factors(factors: tuple[tuple[str, float], ...]) -> Iterator[RelativeIssue]:
@@ -106,6 +119,10 @@ class Combination(Section):
         tuple[tuple[str, float], ...], Factors("", "factor of each case that takes part, by the case's name")
     ]
     rule: Annotated[str, Text("rule that it follows, for reference, such as EN 1990 6.10")] = ""
+
+
+#: Keys of automatic combinations that are national parameters.
+NATIONAL = ("expression", "xi", "permanent", "variable", "equilibrium", "uplift")
 
 
 def _check_partial_factors(
@@ -175,6 +192,20 @@ class Combine(Section):
         Literal["psi_1", "psi_2"],
         Choice(Literal["psi_1", "psi_2"], "value of the leading variable action with an accidental one (6.11b)"),
     ] = "psi_1"
+    annex: Annotated[
+        AnnexName | None,
+        Choice(
+            AnnexName,
+            "national parameters of EN 1990 and EN 1997-1; by default those of reinforcement.annex",
+            "",
+        ),
+    ] = None
+
+    def by_annex(self, annex: str) -> Self:
+        """Return the rules with the factors of a national annex, but for those given, and for rules of ACI 318."""
+        defaults = {name: type(self).model_fields[name].default for name in NATIONAL}
+        own = {} if self.expression == "ACI 318" else factors_of(annex)
+        return self.with_derived({**defaults, **own, "annex": None if annex == "recommended" else annex})
 
 
 def _add_case(name: str) -> tuple[Repair, ...]:

@@ -9,6 +9,7 @@ from collections.abc import Iterator, Sequence, Set
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
+from groundslab.model.loads.annexes import document_of
 from groundslab.model.remarks.case_use import case_uses
 from groundslab.model.remarks.remarks import find_remarks
 from groundslab.model.shapes import Circle, Polygon, Rectangle
@@ -100,11 +101,20 @@ def input_tables(model: Model, combinations: Sequence[Combination]) -> list[Inpu
         if name == "cases" and model.cases:
             grids.append(_acting(model, combinations))
         notes = [f"Remark: {words_in(remark.words, model.units)}." for remark in remarks if remark.path[0] == name]
+        if name == "combine":
+            notes += _national(model)
         if notes and grids:
             grids[-1] = replace(grids[-1], notes=(*grids[-1].notes, *notes))
         if grids:
             tables.append(InputTable(name, title, tuple(grids)))
     return tables
+
+
+def _national(model: Model) -> list[str]:
+    """Return whose psi and partial factors combinations have, where an annex differs from what is recommended."""
+    annex = None if model.combine is None else model.combine.annex
+    document = "" if annex is None else document_of(annex)
+    return [f"psi and factors that the case does not give are those of {document}."] if document else []
 
 
 def format_value(key: FieldType, value: Any, units: System) -> str:

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from groundslab.model.loads.annexes import factors_of, psi_of
 from groundslab.model.loads.load_cases import PSI, Combine, LoadCase
 from groundslab.workbench.checking.parsing import CheckResult
 from groundslab.workbench.editing.document import Document
@@ -15,12 +16,18 @@ if TYPE_CHECKING:
     from groundslab.workbench.events import Event
 
 
-#: Factors of actions where a case gives none: partial ones, and psi by category and of other variable actions.
-FACTORS: Mapping[str, Any] = {
-    "permanent": Combine.model_fields["permanent"].default,
-    "variable": Combine.model_fields["variable"].default,
-    "psi": {**PSI, "variable": [LoadCase.model_fields[f"psi_{n}"].default for n in range(3)]},
-}
+def usual_factors(data: Mapping[str, Any] | None) -> dict[str, Any]:
+    """Return factors of actions where a case gives none, by its annex: partial ones, psi by category and of others."""
+    parts: tuple[Any, ...] = tuple({} if data is None else data.get(name) for name in ("combine", "reinforcement"))
+    named = [part["annex"] for part in parts if isinstance(part, Mapping) and isinstance(part.get("annex"), str)]
+    annex = named[0] if named else "recommended"
+    own = factors_of(annex)
+    return {
+        **{key: own.get(key, Combine.model_fields[key].default) for key in ("permanent", "variable")},
+        "psi": {
+            **PSI, **psi_of(annex), "variable": [LoadCase.model_fields[f"psi_{n}"].default for n in range(3)],
+        },
+    }  # fmt: skip
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,5 +74,5 @@ class Revision:
             "remarks": [] if self.result is None else self.result.remarks_json,
             "plan": self.plan,
             "cases": None if self.result is None else self.result.cases,
-            "factors": FACTORS,
+            "factors": usual_factors(self.readable),
         }

@@ -12,14 +12,14 @@ import pytest
 
 from groundslab.design.basis.webs import Web
 from groundslab.design.en1992 import anchorage, beams, bending, cracking, punching, shear
-from groundslab.design.en1992.annex import ANNEXES, RECOMMENDED, Annex, actions, annex_of, file_of
+from groundslab.design.en1992.annex import ANNEXES, RECOMMENDED, Annex, annex_of, file_of
 from groundslab.design.en1992.case_materials import largest_cover, least_cover, materials
 from groundslab.design.en1992.materials import Concrete, Steel
 from groundslab.design.eurocode2.annex_files import Table
 from groundslab.errors import InputError
 from groundslab.model.design.bars import Bars
-from groundslab.model.design.reinforcement import AnnexName, Exposure, Reinforcement
-from groundslab.model.loads.load_cases import PSI, Combine
+from groundslab.model.design.reinforcement import Exposure, Reinforcement
+from groundslab.model.loads.annexes import AnnexName, action_parameters
 from helpers.paths import ROOT
 
 STEEL = Steel(500e6)
@@ -54,18 +54,9 @@ def test_every_parameter_is_held_by_tests() -> None:
     """The tests that the table names are there."""
     there = {each for path in ROOT.glob("tests/**/test_*.py")
              for each in re.findall(r"^def (test_\w+)", path.read_text("utf-8"), re.M)}  # fmt: skip
-    for row in [*table("recommended").values(), *actions()]:
+    for row in [*table("recommended").values(), *action_parameters()["rows"]]:
         assert row["tests"], row
         assert not set(row["tests"]) - there, row
-
-
-def test_defaults_of_actions_are_those_of_the_table() -> None:
-    """What the table of EN 1990 and EN 1997-1 calls recommended is what a case has without these keys."""
-    combine = Combine(sets=("ultimate",))
-    for row in actions():
-        part, _, key = row["key"].partition(".")
-        found = getattr(combine, key) if part == "combine" else PSI[key.removeprefix("category ")]
-        assert (list(found) if isinstance(found, tuple) else found) == row["recommended"], row["key"]
 
 
 def test_names_of_the_model() -> None:
@@ -211,17 +202,44 @@ def test_least_tensile_strength_by_annex() -> None:
 
 
 def test_cover_by_annex() -> None:
-    """XC1, bars of 12 mm: 15 + 10 mm, in Germany 12 + 15 mm; XD2: 40 + 10 and 40 + 15 mm; others leave it."""
-    for exposure, most in (("XC1", {"recommended": 25, "Germany": 27}), ("XD2", {"recommended": 50, "Germany": 55})):
+    """XC1, bars of 12 mm: 15 + 10 mm, in Germany 12 + 10 mm of bond; XD2: 40 + 10 and 40 + 15 mm; others leave it.
+
+    5 mm are added in the Netherlands and in Austria, where XD2 has 30 mm. Without exposure it is 12 mm and what is
+    added to bond, 10 mm in Germany.
+    """
+    for exposure, most in (
+        ("XC1", {"recommended": 25, "Germany": 22, "Netherlands": 20, "Austria": 20}),
+        ("XD2", {"recommended": 50, "Germany": 55, "Netherlands": 45, "Austria": 35}),
+        (None, {"recommended": 22, "Netherlands": 17, "Austria": 17}),
+    ):
         for name in ANNEXES:
             steel = Reinforcement(
                 annex=name, exposure=exposure, f_ck=30e6, f_yk=500e6, bottom=(0.1, 0.1), top=(0.1, 0.1)
             )
             found = least_cover(steel, 0.012)
-            if name in {"United Kingdom", "Spain"}:
+            if name in {"United Kingdom", "Spain"} and exposure is not None:
                 assert found is None
             else:
                 assert found == pytest.approx(most.get(name, most["recommended"]) / 1e3)
+
+
+def test_depth_in_tension_by_annex() -> None:
+    """h_c,ef of bars at 50 mm: 125 mm; in Germany 0.05 h + 2 x 50 mm in bending, 0.1 h + 100 in tension, 250 at most.
+
+    300, 800 and 4000 mm: 125, 140 and 250 mm in bending, 130, 180 and 250 mm in tension. A crack at 300 kNm/m in
+    800 mm, 5 bars of 20 mm per meter: rho = 15.708 / 1400 instead of 15.708 / 1250 cm2/cm2.
+    """
+    h = np.array([0.3, 0.8, 4.0])
+    depths = {"recommended": ((125, 125, 125), (125, 125, 125)), "Germany": ((125, 140, 250), (130, 180, 250))}
+    for name, (bent, pulled) in depths.items():
+        k_bent, k_pulled = annex_of(name).tension_depth
+        assert 1e3 * cracking.effective_depth(h, 0.05, k_bent) == pytest.approx(bent)
+        assert 1e3 * cracking.effective_depth(h, 0.05, k_pulled) == pytest.approx(pulled)
+        d, x, area = np.array([0.75]), np.array([0.1]), np.array([15.708e-4])
+        rho = cracking.effective_ratio(np.array([0.8]), d, x, area, annex_of(name))
+        assert rho == pytest.approx([15.708e-4 / (bent[1] * 1e-3)])
+        ratio = cracking.tension_ratio(np.array(0.8), cracking.Bars(0.02, 0.2, 0.04), annex_of(name))
+        assert ratio == pytest.approx(1.5708e-3 / (pulled[1] * 1e-3), rel=1e-4)
 
 
 def test_laps_by_annex() -> None:

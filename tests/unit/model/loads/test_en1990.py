@@ -354,10 +354,14 @@ def test_all_faults_come_at_once() -> None:
         ("A", "0.7 0.5 0.3"), ("B", "0.7 0.5 0.3"), ("C", "0.7 0.7 0.6"), ("D", "0.7 0.7 0.6"), ("E", "1.0 0.9 0.8"),
         ("F", "0.7 0.7 0.6"), ("G", "0.7 0.5 0.3"), ("H", "0 0 0"), ("snow", "0.5 0.2 0"),
         ("snow above 1000 m", "0.7 0.5 0.2"), ("wind", "0.6 0.2 0"), ("temperature", "0.6 0.5 0"),
+        ("settlement", "1 1 1"),
     ],
 )  # fmt: skip
 def test_psi_by_category(category: str, psi: str) -> None:
-    """EN 1990 Table A1.1 as printed; a psi that is given comes first, and another category brings its own."""
+    """EN 1990 Table A1.1 as printed, settlements by DIN EN 1990/NA.
+
+    A psi that is given comes first, and another category brings its own.
+    """
     case = LoadCase(name="Q", action="variable", category=category)
     assert (case.psi_0, case.psi_1, case.psi_2) == tuple(map(float, psi.split()))
     own = LoadCase(name="Q", action="variable", category=category, psi_0=0.95)

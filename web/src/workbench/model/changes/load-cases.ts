@@ -50,6 +50,7 @@ export const CASE_TYPES: readonly { id: string; label: string }[] = [
   { id: "snow above 1000 m", label: "snow above 1000 m" },
   { id: "wind", label: "wind actions" },
   { id: "temperature", label: "temperature changes" },
+  { id: "settlement", label: "settlements of the ground" },
   { id: "variable", label: "variable, other" },
   { id: "accidental", label: "accidental" },
   { id: "seismic", label: "seismic" },

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from groundslab.design.basis.calculation import Step
 from groundslab.design.en1992.annex import Annex
+from groundslab.design.en1992.case_materials import deviation
 
 _MM = 1e3
 
@@ -19,7 +20,16 @@ def cover_steps(diameter: float, exposure: str | None, annex: Annex) -> Iterator
         durable, formula = annex.c_min_dur[exposure] * _MM, "max(c_min,b, c_min,dur, 10)"
         words = f"least cover for durability, {exposure}, structural class S4"
         yield Step(words, "c_min,dur", durable, "mm", clause="4.4.1.2(5)")
-    c_min, deviation = max(phi, durable, 10.0), annex.delta_c_dev * _MM
+    more, of_bond = deviation(annex, exposure) * _MM, deviation(annex, None) * _MM
+    clause = "4.4.1.1(2), 4.1"
+    if more != of_bond:
+        yield Step("allowance for deviations", "Delta_c,dev", more, "mm", clause="4.4.1.3(1)")
+        yield Step("allowance for deviations, for bond", "Delta_c,dev,b", of_bond, "mm", clause="4.4.1.3(1)")
+        c_nom = max(durable + more, max(phi, 10.0) + of_bond)
+        formula = "max(c_min,dur + Delta_c,dev, max(c_min,b, 10) + Delta_c,dev,b)"
+        yield Step("nominal cover", "c_nom", c_nom, "mm", formula, clause)
+        return
+    c_min = max(phi, durable, 10.0)
     yield Step("least cover", "c_min", c_min, "mm", formula, "4.4.1.2(2), 4.2")
-    yield Step("allowance for deviations", "Delta_c,dev", deviation, "mm", clause="4.4.1.3(1)")
-    yield Step("nominal cover", "c_nom", c_min + deviation, "mm", "c_min + Delta_c,dev", "4.4.1.1(2), 4.1")
+    yield Step("allowance for deviations", "Delta_c,dev", more, "mm", clause="4.4.1.3(1)")
+    yield Step("nominal cover", "c_nom", c_min + more, "mm", "c_min + Delta_c,dev", clause)

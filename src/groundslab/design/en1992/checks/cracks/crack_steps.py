@@ -40,8 +40,12 @@ def steps(m: float, h: float, bars: Bars, concrete: Concrete, steel: Steel) -> I
     d, at = h - c - phi / 2, np.array([h])
     x = cracking.neutral_axis(np.array([d]), np.array([area]), steel.E_s / concrete.E_cm)
     sigma_s = cracking.bar_stress(np.array([m]), at, bars, concrete, steel)
-    rho = cracking.effective_ratio(at, np.array([d]), x, np.array([area]))
-    yield Step("ratio of bars to the area in tension", "rho", float(rho[0]), "", FORMULAS["rho"], "7.3.2(3), 7.3.4(2)")
+    rho = cracking.effective_ratio(at, np.array([d]), x, np.array([area]), concrete.annex)
+    k_h, formula = concrete.annex.tension_depth[0], FORMULAS["rho"]
+    if k_h:
+        yield from _effective_depth(h, h - d, k_h)
+        formula = FORMULAS["rho h_c,ef"]
+    yield Step("ratio of bars to the area in tension", "rho", float(rho[0]), "", formula, "7.3.2(3), 7.3.4(2)")
     yield Step("mean tensile strength", "f_ctm", concrete.f_ctm / MEGA, "MPa", clause="Table 3.1")
     yield Step("factor of loads that last", "k_t", LONG_TERM, clause="7.3.4(2)")
     eps = float(cracking.mean_strain(sigma_s, rho, concrete, steel)[0])
@@ -53,6 +57,13 @@ def steps(m: float, h: float, bars: Bars, concrete: Concrete, steel: Steel) -> I
         yield Step("at most by the stress", "s_r", s_r, "m", FORMULAS["s_r by stress"], "7.3.4(3) of the annex")
     width = float(cracking.crack_width(np.array([m]), at, bars, concrete, steel)[0])
     yield Step("width of cracks", "w_k", width * 1e3, "mm", FORMULAS["w_k"], "7.3.4(1), 7.8")
+
+
+def _effective_depth(h: float, axis: float, k_h: float) -> Iterator[Step]:
+    """Yield the depth of concrete in tension around bars whose axes lie so far [m] from the face, by the annex."""
+    yield Step("factor of the thickness, by the annex", "k_h", k_h, clause="7.3.2(3) of the annex")
+    depth = float(cracking.effective_depth(np.array(h), axis, k_h))
+    yield Step("effective depth in tension", "h_c,ef", depth, "m", FORMULAS["h_c,ef"], "7.3.2(3) of the annex")
 
 
 def _distance(bars: Bars, s_r: float, concrete: Concrete, k_2: float) -> Iterator[Step]:
@@ -89,7 +100,7 @@ def least_in_tension(h: float, bars: Bars, steel: Steel, f_ct: float) -> Iterato
 def in_tension(h: float, bars: Bars, concrete: Concrete, steel: Steel, f_ct: float) -> Iterator[Step]:
     """Yield the width of cracks of a slab h [m] thick that is cracked all through, f_ct [Pa] being its strength."""
     at, area = np.array(h), float(bars.area)
-    sigma_s, rho = cracking.tension_force(at, f_ct) / area, cracking.tension_ratio(at, bars)
+    sigma_s, rho = cracking.tension_force(at, f_ct) / area, cracking.tension_ratio(at, bars, concrete.annex)
     yield from _depth_factor(h)
     yield Step("tensile strength as it cracks", "f_ct", f_ct / MEGA, "MPa", clause="7.3.2(2)")
     yield Step("diameter of the bars", "phi", float(bars.diameter), "m", clause="7.3.4(3)")
@@ -99,7 +110,11 @@ def in_tension(h: float, bars: Bars, concrete: Concrete, steel: Steel, f_ct: flo
                "h - c - phi / 2")  # fmt: skip
     yield Step("depth that is compressed", "x", 0.0, "m")
     yield Step("stress of the bars", "sigma_s", float(sigma_s) / MEGA, "MPa", FORMULAS["sigma_s tension"], "7.3.2(2)")
-    yield Step("ratio of bars to the area in tension", "rho", float(rho), "", FORMULAS["rho tension"], "7.3.2(3)")
+    k_h, formula = concrete.annex.tension_depth[1], FORMULAS["rho tension"]
+    if k_h:
+        yield from _effective_depth(h, float(bars.cover + bars.diameter / 2), k_h)
+        formula = FORMULAS["rho_t h_c,ef"]
+    yield Step("ratio of bars to the area in tension", "rho", float(rho), "", formula, "7.3.2(3)")
     yield Step("modulus of the steel", "E_s", steel.E_s / MEGA, "MPa", clause="3.2.7(4)")
     yield Step("modulus of the concrete", "E_cm", concrete.E_cm / MEGA, "MPa", clause="Table 3.1")
     yield Step("factor of loads that last", "k_t", LONG_TERM, clause="7.3.4(2)")
