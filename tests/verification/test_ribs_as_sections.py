@@ -81,6 +81,22 @@ def test_a_continuous_rib_carries_what_its_supports_take(section: dict[str, Any]
     assert M[away] == pytest.approx(moment[away], abs=0.01 * np.abs(moment).max())
 
 
+@pytest.mark.parametrize(("side", "direct"), [("below", True), ("above", False)])
+def test_links_at_an_inner_support_begin_at_d_from_it(side: str, *, direct: bool) -> None:
+    """Half of the inner reaction is at its face; links of a rib below the slab take 150 0.75 = 112.5 kN less.
+
+    A rib above it hangs on the support: all of that counts. Struts bear it in any case.
+    """
+    results, *_ = solved(rib(12.0, [-6.0, 0.0, 6.0], RIB | {"side": side}))
+    assert results.model.reinforcement is not None
+    needs = {need.what: need for need in beam_needs(results, results.model.reinforcement)}
+    at_face = results["ULS"].supports[1].total / 2
+    assert abs(needs["links"].force) == pytest.approx(at_face - 112.5e3 * direct, rel=0.01)
+    assert abs(needs["struts"].force) == pytest.approx(at_face, rel=0.01)
+    # V / (b_w z) of V_Rd,max = nu f_cd / 2 = 5.28 MPa, z = 0.675 m
+    assert needs["struts"].area == pytest.approx(at_face / (0.4 * 0.675) / 5.28e6, rel=0.01)
+
+
 @pytest.mark.parametrize("section", RIBS)
 def test_a_rib_on_springs_carries_loads_less_the_ground(section: dict[str, Any]) -> None:
     """V is the integral of the ground's pressure less the load from one end, which rests on 4 m in the middle."""

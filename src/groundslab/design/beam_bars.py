@@ -20,6 +20,7 @@ from groundslab.design.basis.design_code import TensionZone
 from groundslab.design.basis.webs import Web
 from groundslab.design.bending import Reinforcement as Bending
 from groundslab.design.codes import code_of
+from groundslab.design.demands.beam_supports import faces_on, shear_forces
 from groundslab.design.demands.section_cuts import length_across, moments_across
 from groundslab.design.eurocode2.struts import LEVER
 from groundslab.fem.mesh import Mesh, locate
@@ -72,10 +73,10 @@ class _Section:
     flange: Array  # (k,): thickness of the flange [m]; infinite without one
     d: tuple[Array, Array]  # (k,) each: effective depth where it sags, where it hogs [m]
 
-    def webs(self, part: BeamResult, *, released: bool) -> Web:
-        """Return the webs at the places, with what they carry."""
+    def webs(self, part: BeamResult, V: Array, *, released: bool) -> Web:
+        """Return the webs at the places, with the shear forces V (k,) [N] that they carry."""
         d = np.minimum(*self.d)
-        return Web(np.abs(part.shear), np.abs(part.torsion), self.b, self.h, d, float((self.h - d).max()), released)
+        return Web(V, np.abs(part.torsion), self.b, self.h, d, float((self.h - d).max()), released)
 
     def tension(self, face: int) -> TensionZone:
         """Return the zone in tension before it cracks, at the bottom where it sags (face 0) or at the top (1)."""
@@ -164,15 +165,20 @@ def _needs(results: CombinationResult, number: int, beam: Beam, steel: Reinforce
         yield need(what, area, np.where(m > 0, least, 0.0), np.where(m > 0, M, 0.0), own.way)[0]
     part = own.between_ends(float(np.minimum(*section.d).min()))
     section = _section(results, beam, part, steel)
-    webs = section.webs(part, released=beam.torsion == "released")
+    faces = faces_on(results.model, beam, float(own.way[-1]))
+    V, at_faces = shear_forces(own, part, faces, float(np.minimum(*section.d).max()))
+    webs = section.webs(part, V, released=beam.torsion == "released")
     found = code.beams.web(steel, state, webs)
-    for what, area, least in (
-        ("links", found.links, found.least_links),
-        ("torsion", found.along, found.least_along),
-        ("struts", found.used, np.zeros(len(found.used))),
+    # the shear force at a support must not exceed V_Rd,max (6.2.1(8))
+    strained = webs._replace(V=at_faces) if code.beams.struts_at_faces else webs
+    used = code.beams.web(steel, state, strained).used
+    for what, area, least, carried in (
+        ("links", found.links, found.least_links, webs),
+        ("torsion", found.along, found.least_along, webs),
+        ("struts", used, np.zeros(len(used)), strained),
     ):
-        most, place = need(what, area, least, part.shear, part.way)
-        yield replace(most, web=webs.at(place), torsion=float(found.torsion[place]))
+        most, place = need(what, area, least, np.copysign(carried.V, part.shear), part.way)
+        yield replace(most, web=carried.at(place), torsion=float(found.torsion[place]))
     if isinstance(beam.section, RibSection):
         share = np.interp(part.way, own.way, _larger_side(results, own, section))
         yield _flange_need(results, part, section, share, steel)

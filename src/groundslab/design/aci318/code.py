@@ -58,6 +58,7 @@ ACI318 = DesignCode(
         web_steps=beams.web_steps,
         clauses="22.3, 9.6.1.2",
         web_clauses="22.5, 22.7, 9.6.3.4, 9.6.4",
+        struts_at_faces=False,
         flange=FlangeRule(beams.flange_bars, beams.flange_limit, "22.9"),
     ),
     bars=bars.checks,

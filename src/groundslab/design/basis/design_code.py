@@ -159,6 +159,8 @@ class BeamRule:
         Where the code rules bars and their least area.
     web_clauses : str
         Where it rules links and torsion.
+    struts_at_faces : bool
+        Whether struts bear the shear force at a support's face, where links are those at d from it.
     flange : FlangeRule
         The shear between web and flange.
     """
@@ -168,6 +170,7 @@ class BeamRule:
     web_steps: Callable[[Reinforcement, str, Web], Iterator[Step]]
     clauses: str
     web_clauses: str
+    struts_at_faces: bool
     flange: FlangeRule
 
 

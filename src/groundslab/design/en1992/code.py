@@ -57,6 +57,7 @@ EN1992 = DesignCode(
         web_steps=beams.web_steps,
         clauses="6.1, 9.2.1.1(1)",
         web_clauses="6.2.3, 6.3.2, 9.2.2(5)",
+        struts_at_faces=True,
         flange=FlangeRule(beams.flange_bars, beams.flange_limit, "6.2.4"),
     ),
     bars=bars.checks,

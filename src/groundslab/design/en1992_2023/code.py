@@ -55,6 +55,7 @@ EN1992_2023 = DesignCode(
         web_steps=beams.web_steps,
         clauses="8.1, 12.2(2)",
         web_clauses="8.2.3, 8.3, 12.4",
+        struts_at_faces=True,
         flange=FlangeRule(beams.flange_bars, beams.flange_limit, "8.2.5"),
     ),
     bars=bars.checks,

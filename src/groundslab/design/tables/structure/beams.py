@@ -73,8 +73,9 @@ def beam_reinforcement(combined: Results, steel: Reinforcement) -> Table:
     notes = (
         f"By {code.name} {code.beams.clauses}, {code.beams.web_clauses}, over all ultimate combinations, in addition "
         "to the slab's bars. Moments and shear forces of ribs are those of the T or L: with the slab's own over the "
-        "effective width. Shear forces "
-        "and torsional moments count from the effective depth away from the beam's ends.",
+        "effective width.",
+        "Links carry the shear force at d from the faces of columns and supports that press on a rib from the side "
+        "away from the slab, and at all others up to the face. Torsional moments count from d from the beam's ends.",
         "Bars of a flange are those across the rib, at both faces together, that carry the shear between web and "
         "flange, V / z times the share of one side. Those that the slab has there count.",
         "Links are closed where there is torsion, and are for it and shear together; bars for torsion lie along the "
