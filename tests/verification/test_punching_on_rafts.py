@@ -240,7 +240,7 @@ def densely(results: gs.Results, demand: Demand) -> list[float]:
     from groundslab.design.en1992.checks import governing_perimeters
 
     known = governing_perimeters._SITES.get(results.only.plate.nodes, results.model, dict)
-    site = known[False, demand.name]
+    site = known[(False, demand.name), False]
     uses = []
     for distance in np.linspace(0.0, 2 * demand.d, 81)[1:]:
         control = site.control(results.only, float(distance))

@@ -115,6 +115,56 @@ def test_a_pad_with_a_horizontal_force_is_checked_for_both() -> None:
     assert bearing.combination == sliding.combination == "ULS"
 
 
+def test_sliding_without_the_soils_strength_is_not_passed_over() -> None:
+    """1.5 x 60 kN act, and nothing is known of what resists: not judged; without a horizontal force there is no row."""
+
+    def checked(H_x: float) -> list[tuple[str, str]]:
+        pad = gs.Model(
+            plate=gs.Plate(length_x=3, length_y=2, thickness=0.5, E=33e9, nu=0.2),
+            ground=gs.Winkler(k=50e6),
+            cases=[gs.LoadCase(name="W", action="variable", H_x=H_x)],
+            loads=[gs.UniformLoad(q=30e3, case="W")],
+            combinations=[gs.Combination(name="ULS", factors={"W": 1.5})],
+            mesh=gs.Mesh(size=1.0),
+        )
+        return [(check.status, check.words) for check in check_design(gs.solve(pad)).checks]
+
+    words = 'not judged: 90 kN act horizontally in "ULS", and the case has no [soil_strength]; give it in the case'
+    assert checked(60e3) == [("attention", words)]
+    assert not checked(0.0)
+
+
+@pytest.mark.parametrize("tensionless", [True, False])
+@pytest.mark.parametrize(("water", "moment"), [(0.0, 480e3), (80e3, 48e3), (120e3, 0.0)])
+def test_glue_hides_no_sliding(water: float, moment: float, *, tensionless: bool) -> None:
+    """R = V tan 30 / 1.1 of what actions leave, 600 kN less 6 m2 of water, also where glued ground pulls: e = 1.2 m.
+
+    90 kN slide where 120 kN are left, R = 63 kN, and nothing resists where the water lifts more than there is.
+    """
+    V = 600 - 6 * water / 1e3
+    if tensionless and V < 0:
+        pytest.skip("nothing balances it")
+    pad = gs.Model(
+        plate=gs.Plate(length_x=3, length_y=2, thickness=0.5, E=33e9, nu=0.2),
+        ground=gs.Winkler(k=50e6),
+        contact=gs.Contact(tensionless=tensionless),
+        cases=[gs.LoadCase(name="G"), gs.LoadCase(name="wind", action="variable", H_x=60e3)],
+        loads=[
+            gs.PointLoad(P=600e3, x=0, y=0, width_x=0.4, width_y=0.4, case="G"),
+            gs.UniformLoad(q=-water, case="G"),
+            gs.PointLoad(P=0, M_x=moment, x=0, y=0, width_x=0.4, width_y=0.4, case="wind"),
+        ],
+        combinations=[gs.Combination(name="ULS", factors={"G": 1.0, "wind": 1.5})],
+        soil_strength=gs.SoilStrength(phi=30, unit_weight=18e3, overburden=9e3),
+        mesh=gs.Mesh(size=0.25),
+    )
+    (sliding,) = (check for check in check_design(gs.solve(pad)).checks if check.name == "sliding")
+    R = max(V, 0.0) * math.tan(math.radians(30)) / 1.1
+    assert (sliding.demand, sliding.resistance) == pytest.approx((90, R), rel=1e-6)
+    assert sliding.status == ("fails" if R < 90 else "no failure found")
+    assert sliding.foundation
+
+
 @pytest.mark.parametrize(
     ("given", "where"),
     [

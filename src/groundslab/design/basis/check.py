@@ -58,7 +58,7 @@ ONE_COLUMN = Unjudged("fewer-than-two-columns", "remove the limit, or describe t
 NO_RULE = Unjudged("no-rule", "check it by hand, or choose another code")
 #: Beams: a beam is described by its stiffness alone, so that its strength is not known.
 GIVEN_SECTION = Unjudged("section-by-its-properties", "check its strength by hand, or describe it by width and height")
-#: Crack width by EN 1992-1-1:2023, resistance of piles: neither the case nor the program knows what resists.
+#: Crack width by EN 1992-1-1:2023, resistance of piles, sliding: neither the case nor the program knows what resists.
 NO_LIMIT = Unjudged("no-limit", "give it in the case")
 #: Restraint: no bars are laid.
 NO_BARS = Unjudged("no-bars", "lay the bars")

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from groundslab.design.basis.calculation import Step
-from groundslab.design.basis.check import NO_COMBINATION, DesignCheck, not_judged
+from groundslab.design.basis.check import NO_COMBINATION, NO_LIMIT, DesignCheck, not_judged
 from groundslab.design.basis.combinations import ultimate_results, why_none
 from groundslab.design.basis.demand_errors import error_of, scaled
 from groundslab.design.demands.perimeters import outline
@@ -26,6 +26,9 @@ from groundslab.results.results import CombinationResult, Results
 
 if TYPE_CHECKING:
     from shapely import MultiPolygon, Polygon
+
+#: Where sliding is ruled.
+SLIDING = "EN 1997-1 6.5.3"
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,6 +62,10 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
     strength = combined.model.soil_strength
     results = ultimate_results(combined)
     if strength is None:
+        most = max(results, key=_horizontal, default=None)
+        if most is not None and (H := _horizontal(most)):
+            words = f'{H / 1e3:.4g} kN act horizontally in "{most.combination}", and the case has no [soil_strength]'
+            yield not_judged("sliding", NO_LIMIT, words, combination=most.combination, clause=SLIDING)
         return
     if not results:
         words = why_none(combined, STRENGTH, "ultimate combination")
@@ -93,7 +100,7 @@ def _sliding(strength: SoilStrength, c_u: float | None) -> _Rule:
     def steps(force: _Forces, area: bearing.EffectiveArea) -> Iterator[Step]:
         return sliding_steps(strength, area, c_u, delta, force.V, force.H)
 
-    return _Rule("sliding", "EN 1997-1 6.5.3", lambda force: force.H, resistance, steps)
+    return _Rule("sliding", SLIDING, lambda force: force.H, resistance, steps)
 
 
 def _design_soil(strength: SoilStrength) -> bearing.Soil:
@@ -108,10 +115,14 @@ def _forces(results: CombinationResult) -> _Forces:
     plate = results.plate
     V = float(plate.contact_force.sum())
     place = plate.nodes.T @ plate.contact_force / V if V > 0 else np.zeros(2)
+    return _Forces(V, _horizontal(results), (float(place[0]), float(place[1])), results)
+
+
+def _horizontal(results: CombinationResult) -> float:
+    """Return the horizontal force on the slab in a combination [N]."""
     cases = {case.name: case for case in results.solved_model.cases}
     acting = [(factor, cases[name]) for name, factor in results.factors if name in cases]
-    H = math.hypot(*(sum(factor * getattr(case, axis) for factor, case in acting) for axis in ("H_x", "H_y")))
-    return _Forces(V, H, (float(place[0]), float(place[1])), results)
+    return math.hypot(*(sum(factor * getattr(case, axis) for factor, case in acting) for axis in ("H_x", "H_y")))
 
 
 def _eccentricity(forces: list[_Forces], base: Polygon | MultiPolygon) -> DesignCheck:
@@ -146,7 +157,7 @@ def _worst(rule: _Rule, forces: list[_Forces], base: Polygon | MultiPolygon) -> 
 
     def ratio(force: _Forces) -> tuple[float, float, _Forces, bearing.EffectiveArea | None]:
         area = bearing.effective_area(base, *force.place)
-        R = rule.resistance(force, area) if area is not None else 0.0
+        R = max(rule.resistance(force, area), 0.0) if area is not None else 0.0
         return rule.demand(force) / R if R > 0 else math.inf, R, force, area
 
     used, R, force, area = max(map(ratio, forces), key=lambda ratio: ratio[0])

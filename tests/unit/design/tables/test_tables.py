@@ -312,8 +312,10 @@ def test_punching_under_even_pressure() -> None:
     V_Ed = 1.35 * 400 + 1.5 * 100 - (50 - 15) * area
     assert one["V_Ed"] == pytest.approx(V_Ed, rel=1e-4)
     assert one["v_Ed"] == pytest.approx(V_Ed / 1e3 / (u * d), rel=1e-4)
-    # B pulls in "least", C carries nothing
-    assert row(found, combination="least", column="B")["V_Ed"] is None
+    # B pulls in "least": 0.5 x 200 kN, pressure and -0.5 q inside push up as well, and the top bars are in tension
+    area = np.pi * (0.25 + 2 * (0.4 - 0.0375)) ** 2
+    assert row(found, combination="least", column="B")["V_Ed"] == pytest.approx(100 + (50 + 5) * area, rel=1e-4)
+    # C carries nothing
     assert row(found, combination="most", column="C")["V_Ed"] is None
 
 
