@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import combinations
 from typing import Any
 
 import numpy as np
 import pytest
 
 from groundslab import Model, NoEquilibrium, solve
+from groundslab.analysis.driver import solve_combinations
 from groundslab.design.by_plate import results_by_plate
 from groundslab.design.result_tables import tables_of
-from groundslab.results.results import CombinationResult, results_of
+from groundslab.results.results import CombinationResult, Results, results_of
 
 SOIL = [{"thickness": 3.0, "E": 20e6, "nu": 0.3}, {"thickness": 4.0, "E": 50e6, "nu": 0.25}]
 WEIGHT = {"kind": "self weight", "unit_weight": 25e3}
@@ -224,6 +226,48 @@ def test_play(sign: int) -> None:
     assert across(narrow) == pytest.approx(expected, abs=2e-5 * exact.w(-1.0))
     assert narrow.certificate.holds
     assert wide.certificate.holds
+
+
+def slabs_at_a_hinge(size: float) -> Results:
+    """Return two slabs of 3 m x 4 m joined by a hinge, on Pasternak ground, with 50 kN on its middle."""
+    sides = [{"x": (-3, 0), "y": (-2, 2)}, {"x": (0, 3), "y": (-2, 2)}]
+    slabs = [
+        {"name": name, "thickness": 0.2, "E": 30e9, "nu": 0.2, "outline": {"kind": "rectangle"} | side}
+        for name, side in zip("ab", sides, strict=True)
+    ]
+    return solve_combinations(
+        Model(
+            plate=slabs[0],
+            plates=slabs[1:],
+            joints=[{"kind": "hinge", "between": ("a", "b")}],
+            ground={"kind": "pasternak", "k0": 20e6, "k1": 5e6},
+            contact={"tensionless": False},
+            loads=[{"kind": "point", "P": 50e3, "x": 0.0, "y": 0.0}],
+            mesh={"size": size},
+        )
+    )
+
+
+@pytest.mark.slow
+def test_moments_under_a_force_on_a_hinge() -> None:
+    """No moment bends or twists the slab across it, where means over discs are told, too; half a disc has 3 kNm/m.
+
+    The largest and least moments are the same on any mesh, within the sum of both told errors.
+    """
+    told = []
+    for size in (0.1, 0.13, 0.2):
+        results = slabs_at_a_hinge(size)
+        plate = results.only.plate
+        across = (np.hypot(*plate.nodes.T) < 0.2) & (np.abs(plate.nodes[:, 0]) < 1e-9)
+        assert across.sum() > 2
+        assert np.abs(plate.moment_x[across]).max() < 1.0  # N m/m
+        assert np.abs(plate.moment_xy[across]).max() < 1.0
+        extremes = next(table for table in tables_of(results) if table.name == "extremes")
+        moments = [str(quantity).startswith("moment m_") for quantity in extremes["quantity"]]
+        columns = ("least", "greatest", "error of the least", "error of the greatest")
+        told.append(np.array([extremes[column] for column in columns], dtype=float)[:, moments].reshape(2, 2, -1))
+    for one, other in combinations(told, 2):
+        assert (np.abs(one[0] - other[0]) <= one[1] + other[1]).all()
 
 
 def test_play_on_tensionless_ground_with_shear() -> None:

@@ -130,7 +130,9 @@ def expand(fields: MeshedFields, frame: ResultMesh) -> tuple[PlateResult, Elemen
     """
     plate, ground = frame.plate, frame.ground
     nodal = {name: plate.nodal(name, field) for name, field in fields.nodal.items()}
-    nodal |= {name: frame.means.apply(nodal[name]) for name in FORCES}
+    moments = frame.means.apply_to_moments(np.column_stack([nodal[name] for name in FORCES[:3]]))
+    nodal |= dict(zip(FORCES[:3], moments.T, strict=True))
+    nodal |= {name: frame.means.apply(nodal[name]) for name in FORCES[3:]}
     elements = {name: plate.by_element(name, field) for name, field in fields.elements.items()}
     section = elements.pop("section").astype(np.int64)
     in_contact = nodal.pop("in_contact") > 0

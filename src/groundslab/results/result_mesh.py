@@ -4,41 +4,28 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from groundslab.arrays import Array, Flags, Integers
 from groundslab.fem.hanging import find_hanging
 from groundslab.fem.load_vectors import nodal_area
-from groundslab.fem.mesh import SIDES, Mesh, bounding_boxes, locate, mirror, renumber_by_rows, sides_along
+from groundslab.fem.mesh import SIDES, Mesh, mirror, renumber_by_rows, sides_along
 from groundslab.fem.problem import Problem
 from groundslab.fem.shape_functions import determinants, gauss, q9, unique_integers
-from groundslab.geometry.plan import Place, Segment
+from groundslab.geometry.plan import Segment
 from groundslab.model.loads.acting import LineForce, borders_of
 from groundslab.model.loads.spreading import lines_without_width
 from groundslab.model.model import Model
-from groundslab.model.remarks.singular_places import near_places, singular_places
 from groundslab.results import patch_recovery
+from groundslab.results.disc_means import DiscMeans, make_disc_means
 from groundslab.results.edge_forces import EdgeSides, edge_lengths, edge_sides
 from groundslab.results.patch_recovery import Patches
-
-if TYPE_CHECKING:
-    from scipy.sparse import csr_array
 
 #: Fields that change sign in the mirror x = 0 and in the mirror y = 0.
 ANTISYMMETRIC = ({"rotation_x", "shear_x", "moment_xy"}, {"rotation_y", "shear_y", "moment_xy"})
 #: Fields that are shares, of which each side of a mirror has a part.
 SHARED = {"area", "contact_area", "edge_length"}
-#: Rings and rays of the points by which a field is integrated over a disc; no ray runs along an axis or a diagonal.
-RINGS, RAYS = 4, 16
-#: Those closer to a singular place than this share of the disc's diameter are replaced by so many by so many, and of
-#: these again those that are as many times closer.
-CLOSE, DIVIDED, TIMES = 0.15, 3, 2
-#: Elements no larger than this share of a disc's radius need its mean at their corners only.
-SMALL = 1 / 8
-#: Of so many nodes at a time, to spare memory.
-CHUNK = 512
 #: The 2 x 2 Gauss points in the order that an element's mirror image has them.
 XI_TURNED = np.array([2, 3, 0, 1])
 
@@ -70,29 +57,6 @@ def _mirror(name: str, field: Array, odd: tuple[Array, Array]) -> Array:
         if name in ANTISYMMETRIC[axis]:
             field = field * odd[axis]
     return field
-
-
-@dataclass(frozen=True, slots=True)
-class DiscMeans:
-    """What takes nodal fields of the plate (n,) to their means over discs at r of its nodes.
-
-    Such a mean exists where the value at a point does not. Far from edges it is the value under a force that has spread
-    at 45 degrees from the surface to the middle plane, over a disc as wide as the plate is thick.
-    """
-
-    nodes: Integers  # (r,)
-    matrix: csr_array  # (r, n)
-    between: Integers  # (k,): nodes of small elements that have the mean of their corners' means
-    corners: Integers  # (k, 4)
-
-    def apply(self, field: Array) -> Array:
-        """Return a field with its means at these nodes."""
-        if not len(self.nodes):
-            return field
-        found = field.copy()
-        found[self.nodes] = self.matrix @ field
-        found[self.between] = found[self.corners].mean(axis=1)
-        return found
 
 
 @dataclass(frozen=True, slots=True)
@@ -167,91 +131,6 @@ def make_result_mesh(model: Model, problem: Problem) -> ResultMesh:
             model, full.mesh, problem.plate.section[full.element], problem.plate.thickness[full.element]
         ),
     )
-
-
-def make_disc_means(model: Model, mesh: Mesh, section: Integers, thickness: Array) -> DiscMeans:
-    """Return the means over discs as wide as the plate is thick, of nodes within a thickness of singular places.
-
-    The mesh is that of the full plate; section (m,) and thickness (m,) [m] are those of its elements. What of a disc
-    lies off the plate or in another section is left out.
-    """
-    from scipy.sparse import csr_array, vstack
-
-    of_node, t = np.zeros(len(mesh.nodes), dtype=np.int64), np.zeros(len(mesh.nodes))
-    of_node[mesh.elements], t[mesh.elements] = section[:, None], thickness[:, None]
-    singular = [place for places in singular_places(model).values() for place in places]
-    near = near_places(singular, mesh.nodes, t)
-    between, corners = _between_corners(mesh, near, t / 2)
-    near[between] = False
-    nodes = np.flatnonzero(near)
-    boxes = bounding_boxes(mesh) if len(nodes) else None
-    parts = [csr_array((0, len(mesh.nodes)))]
-    for start in range(0, len(nodes), CHUNK):
-        some = nodes[start : start + CHUNK]
-        row, offset, weight = _disc_points(mesh.nodes[some], t[some] / 2, singular)
-        element, place = locate(mesh, mesh.nodes[some[row]] + offset, boxes=boxes)
-        inside = (element >= 0) & (section[element] == of_node[some[row]])
-        row, share = row[inside], weight[inside]
-        total = np.bincount(row, weights=share, minlength=len(some))
-        # beside a sharp corner no point may be left: the value stays
-        alone = np.flatnonzero(total == 0)
-        N = q9(place[inside])[0] * (share / total[row])[:, None]
-        values = np.concatenate([N.ravel(), np.ones(len(alone))])
-        rows = np.concatenate([np.repeat(row, N.shape[1]), alone])
-        columns = np.concatenate([mesh.elements[element[inside]].ravel(), some[alone]])
-        parts.append(csr_array((values, (rows, columns)), shape=(len(some), len(mesh.nodes))))
-    return DiscMeans(nodes, vstack(parts, format="csr"), between, corners)
-
-
-def _between_corners(mesh: Mesh, near: Flags, radius: Array) -> tuple[Integers, Integers]:
-    """Return which nodes lie halfway between corners near singular places, (k,), and these corners, (k, 4).
-
-    Only of elements that are small beside discs of a radius (n,) [m], over whose size a mean changes. Where nodes hang,
-    the middle of a longer side is a corner of others.
-    """
-    xy, corner = mesh.xy[:, :4], mesh.elements[:, :4]
-    longest = np.linalg.norm(xy - np.roll(xy, 1, axis=1), axis=2).max(axis=1)
-    small = mesh.elements[near[corner].all(axis=1) & (longest <= SMALL * radius[corner[:, 0]])]
-    corners = np.full((len(mesh.nodes), 4), -1)
-    for start, end, middle in SIDES:
-        corners[small[:, middle]] = small[:, [start, end, start, end]]
-    corners[small[:, 8]] = small[:, :4]
-    corners[mesh.elements[:, :4]] = -1
-    between = np.flatnonzero(near & (corners[:, 0] >= 0))
-    return between, corners[between]
-
-
-def _disc_points(centres: Array, radius: Array, singular: Sequence[Place]) -> tuple[Integers, Array, Array]:
-    """Return points that integrate over discs (r,): whose they are (p,), where from the centre (p, 2), weights (p,).
-
-    Parts of a disc near a singular place, around which fields change much, are divided.
-    """
-    from scipy.spatial import KDTree
-
-    # a part is a piece of a ring and of a ray; by squares of the radius, rings have the sizes of Gauss's weights
-    x, of_ring = np.polynomial.legendre.leggauss(RINGS)
-    ring, ray = (each.ravel() for each in np.indices((RINGS, RAYS)))
-    height, wide = of_ring / 2, 2 * np.pi / RAYS
-    first = np.column_stack([(np.cumsum(height) - height)[ring], height[ring], wide * ray, np.full(len(ring), wide)])
-    row, part = np.repeat(np.arange(len(centres)), len(first)), np.tile(first, (len(centres), 1))
-    squared = np.tile((1 + x[ring]) / 2, len(centres))
-    tree, parts = KDTree(singular), (np.arange(DIVIDED) / DIVIDED for _ in range(2))
-    steps = np.column_stack([each.ravel() for each in np.meshgrid(*parts)])
-    found = []
-    for time in range(TIMES + 1):
-        angle = part[:, 2] + part[:, 3] / 2
-        offset = (radius[row] * np.sqrt(squared) * (np.cos(angle), np.sin(angle))).T
-        close = np.zeros(len(row), dtype=bool)
-        if time < TIMES:
-            reach = CLOSE * 2 * radius[row] / DIVIDED**time
-            close = tree.query(centres[row] + offset, distance_upper_bound=reach.max(initial=0))[0] <= reach
-        found.append((row[~close], offset[~close], (part[:, 1] * part[:, 3] / (2 * np.pi))[~close]))
-        row, part = np.repeat(row[close], len(steps)), np.repeat(part[close], len(steps), axis=0)
-        part[:, [0, 2]] += np.tile(steps, (int(close.sum()), 1)) * part[:, [1, 3]]
-        part[:, [1, 3]] /= DIVIDED
-        squared = part[:, 0] + part[:, 1] / 2
-    rows, offsets, weights = (np.concatenate(each) for each in zip(*found, strict=True))
-    return rows, offsets, weights
 
 
 def _lines_of_jumps(model: Model) -> Iterator[Segment]:

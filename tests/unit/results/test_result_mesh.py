@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from scipy.sparse import csr_array
 
 from groundslab.analysis.driver import solve
 from groundslab.arrays import Flags
@@ -13,7 +14,8 @@ from groundslab.fem.mesh import Mesh, grid, sides_along
 from groundslab.geometry.plan import Segment
 from groundslab.meshing.refinement import split
 from groundslab.model.model import Model
-from groundslab.results.result_mesh import DiscMeans, _disc_points, make_disc_means, split_at
+from groundslab.results.disc_means import AcrossEdge, DiscMeans, _disc_points, make_disc_means
+from groundslab.results.result_mesh import split_at
 
 MESH = grid(np.arange(5.0), np.arange(5.0))
 CENTRES = MESH.nodes[MESH.elements[:, 8]]
@@ -108,6 +110,54 @@ def test_means_over_discs_keep_to_their_section() -> None:
     field = np.where(mesh.nodes[:, 0] >= 0, 5.0, 1.0)
     np.testing.assert_allclose(means.apply(field)[inside], 5.0)
     assert not len(disc_means(loads=[{"kind": "uniform", "q": 1e4}])[1].nodes)
+
+
+@pytest.mark.parametrize(
+    ("support", "bends", "twists"), [("free", False, False), ("hinged", False, True), ("clamped", True, True)]
+)
+def test_means_vanish_at_edges_as_moments_do(support: str, bends: bool, twists: bool) -> None:
+    """By hand: at an edge m_x = m_xy = 2 - x have the mean 0, or the half disc's, 4 r / 3 pi, where they may act.
+
+    Inside, where the disc of r = 0.4 m still meets the edge, they are their own mean; along the edge m_y has that of
+    what lies on the plate.
+    """
+    at_edge = [{"kind": "point", "P": 1e5, "x": 2.0, "y": 0.0}]
+    plate = {"length_x": 4.0, "length_y": 4.0, "thickness": 0.8, "E": 30e9, "nu": 0.2, "edges": {"right": support}}
+    mesh, means, _ = disc_means(elements=40, loads=at_edge, plate=plate)
+    x, y = mesh.nodes.T
+    m_x, m_y, m_xy = means.apply_to_moments(np.column_stack([2 - x] * 3)).T
+    near = np.hypot(x - 2, y) < 0.3
+    edge = near & (x == 2.0)
+    half = 4 * 0.4 / (3 * np.pi)
+    np.testing.assert_allclose(m_y[edge], half, atol=5e-3)
+    np.testing.assert_allclose(m_x[edge], half if bends else 0.0, atol=5e-3)
+    np.testing.assert_allclose(m_xy[edge], half if twists else 0.0, atol=5e-3)
+    if not bends:
+        np.testing.assert_allclose(m_x[near], (2 - x)[near], atol=6e-3)
+
+
+def test_corners_that_point_into_the_plate_keep_their_moments() -> None:
+    """No field goes on across edges that end there: a constant one is its own mean around an opening's corner."""
+    opening = [{"kind": "rectangle", "x": (-1.0, 0.0), "y": (-1.0, 0.0)}]
+    plate = {"length_x": 4.0, "length_y": 4.0, "thickness": 0.8, "E": 30e9, "nu": 0.2, "openings": opening}
+    mesh, means, _ = disc_means(elements=40, plate=plate, loads=[{"kind": "uniform", "q": 1e4}])
+    found = means.apply_to_moments(np.ones((len(mesh.nodes), 3)))
+    corner = np.hypot(*mesh.nodes.T) < 0.01
+    assert corner.any()
+    np.testing.assert_allclose(found[corner], 1.0)
+
+
+def test_moments_vanish_across_an_oblique_edge() -> None:
+    """At 45 degrees a tensor keeps what bends along the edge, m_tt.
+
+    Of m_x = 3, m_y = 1, m_xy = 2 it is (3 + 1) / 2 - 2 = 0; of 6, 4, -1 it is 5 + 1 = 6, which is 3, 3, -3 alone.
+    """
+    one = csr_array(np.eye(1))
+    edge = AcrossEdge(np.array([0]), np.array([1.0, 1.0]) / np.sqrt(2), 0 * one, twists=False)
+    none = np.zeros((0, 4), dtype=int)
+    means = DiscMeans(np.array([0]), one, none[:, 0], none, (edge,))
+    np.testing.assert_allclose(means.apply_to_moments(np.array([[3.0, 1.0, 2.0]])), 0.0, atol=1e-12)
+    np.testing.assert_allclose(means.apply_to_moments(np.array([[6.0, 4.0, -1.0]])), [[3.0, 3.0, -3.0]])
 
 
 def test_means_over_discs_that_hold_a_singular_place() -> None:
