@@ -14,10 +14,11 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from groundslab.arrays import Array, Integers
+from groundslab.arrays import Array, Flags, Integers
+from groundslab.design.basis.bending_steps import BarsNeeded
 from groundslab.design.basis.combinations import ultimate_results
 from groundslab.design.basis.design_code import TensionZone
-from groundslab.design.basis.webs import Web
+from groundslab.design.basis.webs import Flange, Web
 from groundslab.design.bending import Reinforcement as Bending
 from groundslab.design.codes import code_of
 from groundslab.design.demands.beam_supports import faces_on, shear_forces
@@ -59,6 +60,10 @@ class BeamNeed:
     combination: str
     stress: float = 0.0  # shear between web and flange [Pa]
     limit: float = 0.0  # of that what struts bear [Pa]
+    bars: BarsNeeded | None = None  # of a face without bars in compression: per meter of the width in compression
+    width: float = 0.0  # of these that width [m]
+    zone: TensionZone | None = None  # of a face: what is in tension before it cracks
+    flange: Flange | None = None  # of a flange: the shear between web and flange
     web: Web | None = None  # of links, torsion and struts: the section there with both forces
     torsion: float = 0.0  # of these the torsional moment that counts, >= 0 [N m]
 
@@ -160,9 +165,14 @@ def _needs(results: CombinationResult, number: int, beam: Beam, steel: Reinforce
 
     for face, (what, sign) in enumerate((("bottom", 1.0), ("top", -1.0))):
         m = np.maximum(sign * M, 0.0)
-        area = _bars(required, m, section, face)
-        least = code.beams.minimum(steel, state, section.tension(face))
-        yield need(what, area, np.where(m > 0, least, 0.0), np.where(m > 0, M, 0.0), own.way)[0]
+        area, width, alone = _bars(required, m, section, face)
+        zone = section.tension(face)
+        least = code.beams.minimum(steel, state, zone)
+        most, place = need(what, area, np.where(m > 0, least, 0.0), np.where(m > 0, M, 0.0), own.way)
+        b, h = float(width[place]), float(section.h[place])
+        per = BarsNeeded(most.force / b, h, h - float(section.d[face][place]), most.area / b, most.least / b)
+        followed = per if m[place] > 0 and alone[place] else None
+        yield replace(most, bars=followed, width=b, zone=zone.at(place))
     part = own.between_ends(float(np.minimum(*section.d).min()))
     section = _section(results, beam, part, steel)
     faces = faces_on(results.model, beam, float(own.way[-1]))
@@ -198,14 +208,15 @@ def _flange_need(
     assert code.beams is not None
     rule = code.beams.flange
     sags = part.moment > 0
-    stress = np.abs(part.shear) / (LEVER * np.where(sags, *section.d)) * share / section.flange
     compressed = sags == (section.compressed[0] > section.b)
+    flange = Flange(np.abs(part.shear), LEVER * np.where(sags, *section.d), share, section.flange, compressed)
+    stress = flange.stress
     area = rule.bars(steel, state, stress, compressed) * section.flange
     most = int(np.argmax(area + TIE * stress))
     force, way = float(part.shear[most]), float(part.way[most])
     limit = rule.limit(steel, state)
     return BeamNeed(part.name, "flange", float(area[most]), 0.0, force, way, _place(part, way), results.combination,
-                    float(stress[most]), limit)  # fmt: skip
+                    float(stress[most]), limit, flange=flange.at(most))  # fmt: skip
 
 
 def _larger_side(results: CombinationResult, own: BeamResult, section: _Section) -> Array:
@@ -221,15 +232,19 @@ def _larger_side(results: CombinationResult, own: BeamResult, section: _Section)
     return np.asarray(np.maximum(*sides) / (sides[0] + sides[1] + section.b))
 
 
-def _bars(required: Callable[..., Bending], m: Array, section: _Section, face: int) -> Array:
-    """Return the bars in tension (k,) [m2] at a face for moments m >= 0 (k,) [N m]."""
+def _bars(required: Callable[..., Bending], m: Array, section: _Section, face: int) -> tuple[Array, Array, Flags]:
+    """Return the bars in tension (k,) [m2] at a face for moments m >= 0 (k,) [N m].
+
+    Also the width that counts in compression (k,) [m], and where concrete alone bears it (k,).
+    """
     d, d_2 = section.d[face], section.h - section.d[1 - face]
-    narrow = required(m / section.b, d, d_2=d_2, thickness=section.h).tension * section.b
+    by_web = required(m / section.b, d, d_2=d_2, thickness=section.h)
     width = section.compressed[face]
-    if width == section.b:
-        return np.asarray(narrow)
     wide = required(m / width, d, thickness=section.h)
-    return np.where(wide.neutral_axis * d <= section.flange, wide.tension * width, narrow)
+    by_flange = (width > section.b) & (wide.neutral_axis * d <= section.flange)
+    area = np.where(by_flange, wide.tension * width, by_web.tension * section.b)
+    alone = by_flange | ((by_web.compression == 0) & ~by_web.fails)
+    return area, np.where(by_flange, width, section.b), alone
 
 
 def _section(results: CombinationResult, beam: Beam, own: BeamResult, steel: Reinforcement) -> _Section:

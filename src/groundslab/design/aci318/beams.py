@@ -33,7 +33,7 @@ from groundslab.design.aci318.materials import FORMULAS, MOST_F_YT, PHI_SHEAR
 from groundslab.design.basis.bending_steps import CM2
 from groundslab.design.basis.calculation import MEGA, Step
 from groundslab.design.basis.design_code import TensionZone
-from groundslab.design.basis.webs import Web, WebNeed, force_steps
+from groundslab.design.basis.webs import Flange, Web, WebNeed, force_steps
 from groundslab.model.design.reinforcement import Reinforcement
 
 _MPA = 1e6
@@ -52,6 +52,35 @@ def minimum(steel: Reinforcement, _: str, zone: TensionZone) -> Array:
     concrete, bars = materials(steel)
     ratio = max(0.25 * concrete.root, 1.4 * _MPA) / min(bars.f_y, MOST_F_Y)
     return np.asarray(ratio * min(2 * zone.web, zone.face) * zone.d)
+
+
+def minimum_steps(steel: Reinforcement, limit_state: str, zone: TensionZone) -> Iterator[Step]:
+    """Yield the calculation of the least bars at one place."""
+    concrete, bars = materials(steel)
+    yield Step("root of the strength as it counts", "r", concrete.root / MEGA, "MPa", clause="22.5.3.1")
+    yield Step("yield strength that counts", "f_y,min", min(bars.f_y, MOST_F_Y) / MEGA, "MPa", clause="9.6.1.2")
+    yield Step("width of the web, or of a flange in tension up to twice that", "b_min",
+               min(2 * zone.web, zone.face), "m", clause="9.6.1.2")  # fmt: skip
+    least = float(minimum(steel, limit_state, zone)[0]) * CM2
+    yield Step("least bars", "A_min", least, "cm2", "max(0.25 * r, 1.4) / f_y,min * b_min * d * 10000", "9.6.1.2")
+
+
+def flange_steps(steel: Reinforcement, limit_state: str, flange: Flange) -> Iterator[Step]:
+    """Yield the calculation from the stress between web and flange to the bars across at one place."""
+    concrete, bars = materials(steel)
+    limit, stress = flange_limit(steel, limit_state), float(flange.stress[0])
+    yield Step("specified strength of the concrete", "f_c", concrete.f_c / MEGA, "MPa", clause="19.2.1.1")
+    yield Step("strength reduction factor", "phi", PHI_SHEAR, clause="Table 21.2.1")
+    formula = "phi * min(0.2 * f_c, 3.3 + 0.08 * f_c, 11)"
+    yield Step("most that friction bears", "tau_max", limit / MEGA, "MPa", formula, "Table 22.9.4.4")
+    yield Step("share used", "eta", stress / limit, "", "tau / tau_max", "22.9.4.4")
+    if stress > limit:
+        return
+    yield Step("friction of concrete cast at once", "mu", MU, clause="Table 22.9.4.2")
+    yield Step("strength of bars", "f_y", min(bars.f_y, MOST_F_Y_FRICTION) / MEGA, "MPa", clause="20.2.2.4")
+    area = float(flange_bars(steel, limit_state, flange.stress, flange.compressed)[0] * flange.h[0]) * CM2
+    formula = "tau / (phi * mu * f_y) * h_f * 10000"
+    yield Step("bars across the rib, both faces together", "a_sf", area, "cm2/m", formula, "22.9.4.2")
 
 
 def flange_bars(steel: Reinforcement, limit_state: str, stress: Array, _compressed: Flags) -> Array:

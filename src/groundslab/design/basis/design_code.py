@@ -17,7 +17,7 @@ from groundslab.design.basis.check import NO_RULE, DesignCheck, not_judged
 from groundslab.design.basis.detailing_rule import DetailingRule
 from groundslab.design.basis.punching import Heads, PunchingColumns
 from groundslab.design.basis.shear_demand import ShearDemand
-from groundslab.design.basis.webs import Web, WebNeed
+from groundslab.design.basis.webs import Flange, Web, WebNeed
 from groundslab.design.basis.wide_beam import Cut
 from groundslab.design.bending import BendingRule
 from groundslab.design.demands.perimeter_loads import Reach
@@ -122,6 +122,11 @@ class TensionZone(NamedTuple):
     web: float  # width of the web [m]
     face: float  # width of the face in tension, of a flange or the web [m]
 
+    def at(self, place: int) -> TensionZone:
+        """Return it at one place alone."""
+        some = slice(place, place + 1)
+        return self._replace(d=self.d[some], modulus=self.modulus[some], mean_width=self.mean_width[some])
+
 
 @dataclass(frozen=True, slots=True)
 class FlangeRule:
@@ -136,11 +141,14 @@ class FlangeRule:
         Of materials and a limit state: the largest stress that bars help against [Pa].
     clauses : str
         Where the code rules it.
+    steps : callable
+        Of materials, a limit state and the flange at one place: the calculation from the stress to the bars.
     """
 
     bars: Callable[[Reinforcement, str, Array, Flags], Array]
     limit: Callable[[Reinforcement, str], float]
     clauses: str
+    steps: Callable[[Reinforcement, str, Flange], Iterator[Step]]
 
 
 @dataclass(frozen=True, slots=True)
@@ -151,6 +159,9 @@ class BeamRule:
     ----------
     minimum : callable
         Of materials, a limit state and a zone in tension: the least bars in it (k,) [m2].
+    bars_by_steps, minimum_by_steps : callable
+        Of materials, what bars need per meter of a width and a limit state: the steps from the moment to the area; of
+        materials, a limit state and a zone in tension at one place: those to its least bars.
     web : callable
         Of materials, a limit state and webs (k,): the links and the bars along them that shear and torsion need.
     web_steps : callable
@@ -166,6 +177,8 @@ class BeamRule:
     """
 
     minimum: Callable[[Reinforcement, str, TensionZone], Array]
+    bars_by_steps: Callable[[Reinforcement, BarsNeeded, str], Iterator[Step]]
+    minimum_by_steps: Callable[[Reinforcement, str, TensionZone], Iterator[Step]]
     web: Callable[[Reinforcement, str, Web], WebNeed]
     web_steps: Callable[[Reinforcement, str, Web], Iterator[Step]]
     clauses: str

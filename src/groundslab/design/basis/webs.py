@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from groundslab.arrays import Array
+from groundslab.arrays import Array, Flags
 from groundslab.design.basis.calculation import MEGA, Step
 
 
@@ -24,6 +24,35 @@ class Web(NamedTuple):
         """Return the web at one place alone."""
         some = slice(place, place + 1)
         return self._replace(V=self.V[some], T=self.T[some], h=self.h[some], d=self.d[some])
+
+
+class Flange(NamedTuple):
+    """The shear between a web and its flange at places (k,)."""
+
+    V: Array  # (k,): shear force of the section, >= 0 [N]
+    z: Array  # (k,): lever arm [m]
+    share: Array  # (k,): of the flange, on the side that has more of it
+    h: Array  # (k,): thickness of the flange [m]
+    compressed: Flags  # (k,)
+
+    @property
+    def stress(self) -> Array:
+        """Return the shear stress (k,) [Pa]."""
+        return self.V / self.z * self.share / self.h
+
+    def at(self, place: int) -> Flange:
+        """Return the flange at one place alone."""
+        some = slice(place, place + 1)
+        return Flange(self.V[some], self.z[some], self.share[some], self.h[some], self.compressed[some])
+
+    def steps(self) -> Iterator[Step]:
+        """Yield the calculation of the stress at one place."""
+        yield Step("shear force of the section", "V", float(self.V[0]) / MEGA, "MN")
+        yield Step("lever arm", "z", float(self.z[0]), "m")
+        yield Step("share of the flange on its larger side", "k_f", float(self.share[0]))
+        yield Step("thickness of the flange", "h_f", float(self.h[0]), "m")
+        stress = float(self.stress[0]) / MEGA
+        yield Step("shear stress between web and flange", "tau", stress, "MPa", "V / z * k_f / h_f")
 
 
 class WebNeed(NamedTuple):

@@ -29,7 +29,7 @@ from groundslab.arrays import Array, Flags
 from groundslab.design.basis.bending_steps import CM2
 from groundslab.design.basis.calculation import MEGA, Step
 from groundslab.design.basis.design_code import TensionZone
-from groundslab.design.basis.webs import Web, WebNeed, force_steps
+from groundslab.design.basis.webs import Flange, Web, WebNeed, force_steps
 from groundslab.design.en1992 import bending, shear
 from groundslab.design.en1992.case_materials import largest_cover, materials
 from groundslab.design.en1992.materials import Concrete
@@ -52,6 +52,41 @@ def minimum(steel: Reinforcement, limit_state: str, zone: TensionZone) -> Array:
     if concrete.annex.minimum_by_cracking:
         return np.asarray(concrete.f_ctm * zone.modulus / (LEVER * zone.d * bars.f_yk))
     return np.asarray(bending.minimum(zone.d, concrete=concrete, steel=bars) * zone.mean_width)
+
+
+def minimum_steps(steel: Reinforcement, limit_state: str, zone: TensionZone) -> Iterator[Step]:
+    """Yield the calculation of the least bars at one place."""
+    concrete = materials(steel, limit_state)[0]
+    yield Step("mean tensile strength", "f_ctm", concrete.f_ctm / MEGA, "MPa", clause="Table 3.1")
+    if concrete.annex.minimum_by_cracking:
+        yield Step("section modulus of the face in tension", "W", float(zone.modulus[0]), "m3")
+        formula = f"f_ctm * W / ({LEVER:g} * d * f_yk) * 10000"
+    else:
+        yield Step("mean width of the zone in tension", "b_t", float(zone.mean_width[0]), "m", clause="9.2.1.1(1)")
+        formula = "max({:g} * f_ctm / f_yk, {:g}) * b_t * d * 10000".format(*concrete.annex.minimum)
+    least = float(minimum(steel, limit_state, zone)[0]) * CM2
+    yield Step("least bars", "A_min", least, "cm2", formula, "9.2.1.1(1)")
+
+
+def flange_steps(steel: Reinforcement, limit_state: str, flange: Flange) -> Iterator[Step]:
+    """Yield the calculation from the stress between web and flange to the bars across at one place."""
+    concrete, bars = materials(steel, limit_state)
+    limit, stress = flange_limit(steel, limit_state), float(flange.stress[0])
+    yield Step("strength of struts", "f_nu", concrete.strut / MEGA, "MPa", clause="6.2.2(6)")
+    yield Step("share used, of struts at 45 degrees", "eta", stress / limit, "", "2 * tau / f_nu", "6.2.4(4), 6.22")
+    borne = BORNE_BY_CONCRETE * ALPHA_CT * 0.7 * concrete.f_ctm / concrete.gamma_c
+    yield Step("stress that needs no bars", "tau_0", borne / MEGA, "MPa", clause="6.2.4(6)")
+    area = float(flange_bars(steel, limit_state, flange.stress, flange.compressed)[0] * flange.h[0]) * CM2
+    if np.isinf(area) or stress <= borne:
+        return
+    cot = FLATTEST_IN_FLANGES[0] if flange.compressed[0] else FLATTEST_IN_FLANGES[1]
+    by_struts = links_by_struts(flange.stress, np.ones(1), concrete.strut, bars.f_yd, cot)
+    yield Step("cot theta, the flattest struts that are borne", "cot", float(by_struts.cot_theta[0]), clause="6.2.4(4)")
+    yield Step("strength of bars", "f_yd", bars.f_yd / MEGA, "MPa", clause="3.2.7(2)")
+    least = shear.minimum_beam_links(concrete, bars)
+    yield Step("least ratio of bars", "rho_min", least, "", clause="9.2.2(5)")
+    formula = "max(tau / (f_yd * cot), rho_min) * h_f * 10000"
+    yield Step("bars across the rib, both faces together", "a_sf", area, "cm2/m", formula, "6.2.4(4), 6.21")
 
 
 def flange_bars(steel: Reinforcement, limit_state: str, stress: Array, compressed: Flags) -> Array:

@@ -22,7 +22,7 @@ from groundslab.arrays import Array, Flags
 from groundslab.design.basis.bending_steps import CM2
 from groundslab.design.basis.calculation import MEGA, Step
 from groundslab.design.basis.design_code import TensionZone
-from groundslab.design.basis.webs import Web, WebNeed, force_steps
+from groundslab.design.basis.webs import Flange, Web, WebNeed, force_steps
 from groundslab.design.en1992_2023 import shear
 from groundslab.design.en1992_2023.case_materials import flattest, materials
 from groundslab.design.eurocode2 import torsion
@@ -38,6 +38,31 @@ def minimum(steel: Reinforcement, limit_state: str, zone: TensionZone) -> Array:
     """Return the least bars (k,) [m2], which yield with f_yk and 0.9 d under the moment at which the section cracks."""
     concrete, bars = materials(steel, limit_state)
     return np.asarray(concrete.f_ctm * zone.modulus / (LEVER * zone.d * bars.f_yk))
+
+
+def minimum_steps(steel: Reinforcement, limit_state: str, zone: TensionZone) -> Iterator[Step]:
+    """Yield the calculation of the least bars at one place."""
+    concrete = materials(steel, limit_state)[0]
+    yield Step("mean tensile strength", "f_ctm", concrete.f_ctm / MEGA, "MPa", clause="Table 5.1")
+    yield Step("section modulus of the face in tension", "W", float(zone.modulus[0]), "m3")
+    least = float(minimum(steel, limit_state, zone)[0]) * CM2
+    formula = f"f_ctm * W / ({LEVER:g} * d * f_yk) * 10000"
+    yield Step("least bars", "A_min", least, "cm2", formula, "12.2(2), 12.1")
+
+
+def flange_steps(steel: Reinforcement, limit_state: str, flange: Flange) -> Iterator[Step]:
+    """Yield the calculation from the stress between web and flange to the bars across at one place."""
+    concrete, bars = materials(steel, limit_state)
+    used = float(flange.stress[0]) / flange_limit(steel, limit_state)
+    yield Step("strength of struts", "f_nu", concrete.strut / MEGA, "MPa", clause="8.2.5, 8.71")
+    yield Step("share used, of struts at 45 degrees", "eta", used, "", "2 * tau / f_nu", "8.2.5, 8.70")
+    area = float(flange_bars(steel, limit_state, flange.stress, flange.compressed)[0] * flange.h[0]) * CM2
+    if used > 1:
+        return
+    yield Step("strength of bars", "f_yd", bars.f_yd / MEGA, "MPa", clause="5.2.4")
+    yield Step("least ratio of bars", "rho_min", shear.minimum_links(concrete, bars), "", clause="12.4")
+    formula = "max(tau / f_yd, rho_min) * h_f * 10000" if area else ""
+    yield Step("bars across the rib, both faces together", "a_sf", area, "cm2/m", formula, "8.2.5, 8.69")
 
 
 def flange_bars(steel: Reinforcement, limit_state: str, stress: Array, _compressed: Flags) -> Array:

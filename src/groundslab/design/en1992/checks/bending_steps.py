@@ -14,8 +14,22 @@ from groundslab.model.design.reinforcement import Reinforcement
 
 def steps(steel: Reinforcement, need: BarsNeeded, limit_state: str) -> Iterator[Step]:
     """Yield the calculation of a layer's bars in tension."""
-    concrete, bars = materials(steel, limit_state)
+    concrete = materials(steel, limit_state)[0]
     yield from bending_steps.depth(need)
+    yield from tension(steel, need, limit_state)
+    of_strength, least = concrete.annex.minimum
+    minimum = [Step("mean tensile strength", "f_ctm", concrete.f_ctm / MEGA, "MPa", clause="Table 3.1")]
+    formula = (
+        MINIMUM["by cracking"] if concrete.annex.minimum_by_cracking
+        else MINIMUM["by strength"].format(of_strength=of_strength, least=least)
+    )  # fmt: skip
+    minimum.append(Step("least area", "A_min", 0.0, "", formula, "9.2.1.1(1)"))
+    yield from bending_steps.required(need, minimum)
+
+
+def tension(steel: Reinforcement, need: BarsNeeded, limit_state: str) -> Iterator[Step]:
+    """Yield the steps from the moment per width to the bars in tension, but for those of depth and moment."""
+    concrete, bars = materials(steel, limit_state)
     yield Step("strength of the concrete", "f_ck", concrete.f_ck / MEGA, "MPa", clause="Table 3.1")
     yield Step("partial factor", "gamma_C", concrete.gamma_c, clause="2.4.2.4")
     yield Step("factor of the concrete", "alpha_cc", concrete.alpha_cc, clause="3.1.6(1)")
@@ -26,11 +40,3 @@ def steps(steel: Reinforcement, need: BarsNeeded, limit_state: str) -> Iterator[
     yield Step("partial factor of steel", "gamma_S", bars.gamma_s, clause="2.4.2.4")
     yield Step("design yield strength", "f_y", bars.f_yd / MEGA, "MPa", "f_yk / gamma_S", "3.2.7(2)")
     yield from bending_steps.area(need, (f_c, bars.f_yd), "6.1(2), 3.1.7(3)")
-    of_strength, least = concrete.annex.minimum
-    minimum = [Step("mean tensile strength", "f_ctm", concrete.f_ctm / MEGA, "MPa", clause="Table 3.1")]
-    formula = (
-        MINIMUM["by cracking"] if concrete.annex.minimum_by_cracking
-        else MINIMUM["by strength"].format(of_strength=of_strength, least=least)
-    )  # fmt: skip
-    minimum.append(Step("least area", "A_min", 0.0, "", formula, "9.2.1.1(1)"))
-    yield from bending_steps.required(need, minimum)
