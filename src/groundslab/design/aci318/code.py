@@ -39,6 +39,7 @@ ACI318 = DesignCode(
         check=one_way_shear.check,
         most_ratio=MOST_BARS,
         least_share=bending.LEAST,
+        reach=one_way_shear.reach,
         cuts=wide_beam.cuts,
     ),
     punching=PunchingRule(

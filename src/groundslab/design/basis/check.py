@@ -46,6 +46,8 @@ SUPPORT_INSIDE = Unjudged(
 )
 #: Punching: openings and edges leave nothing of the perimeter.
 NO_PERIMETER = Unjudged("no-perimeter", "move the openings or the load, or design the slab there by hand")
+#: One-way shear: punching is checked everywhere, or nothing can be, and no cut goes from edge to edge.
+NO_PLACE = Unjudged("no-place", "check cuts through the slab by hand")
 #: Equilibrium: glued ground pulls so that its force has no place under the plate, but supports might do without.
 GLUED = Unjudged("glued-to-the-ground", "set contact.tensionless = true")
 #: A combination has no certified result.
@@ -70,7 +72,7 @@ OTHER_STANDARD = Unjudged("another-standard", "take it from there")
 NO_CONCRETE = Unjudged("no-concrete", "give one of them")
 #: All of them, in the order in which the documentation lists them.
 UNJUDGED = (
-    SUPPORT_INSIDE, NO_PERIMETER, GLUED, UNSOLVED, NO_COMBINATION, ONE_COLUMN, NO_RULE,
+    SUPPORT_INSIDE, NO_PERIMETER, NO_PLACE, GLUED, UNSOLVED, NO_COMBINATION, ONE_COLUMN, NO_RULE,
     GIVEN_SECTION, NO_LIMIT, NO_BARS, BARS_YIELD, OTHER_STANDARD, NO_CONCRETE,
 )  # fmt: skip
 

@@ -13,7 +13,7 @@ from groundslab.results.results import Results
 
 def checks(combined: Results) -> Iterator[DesignCheck]:
     """Yield which columns, piles and zones pull in any ultimate combination."""
-    results, model = ultimate_results(combined), combined.model
+    results, model = ultimate_results(combined), combined.solved_model
     of_kinds = (
         (punching_columns(model), "columns"),
         (punching_piles(model), "piles"),

@@ -8,7 +8,7 @@ unless the case says so. Where it adds to what punches, it always counts.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, TypeVar
@@ -28,7 +28,7 @@ from groundslab.model.model import Model
 from groundslab.model.structure.columns import Column
 from groundslab.model.supports import LineSupport
 from groundslab.results.record import SupportResult
-from groundslab.results.results import CombinationResult
+from groundslab.results.results import CombinationResult, Results
 
 if TYPE_CHECKING:
     from shapely import LineString, Polygon
@@ -200,6 +200,15 @@ def punching_piles(model: Model) -> tuple[PunchingForce, ...]:
         for number, support in enumerate(model.supports, start=1)
         if not isinstance(support, LineSupport) and support.diameter is not None
     )
+
+
+def reach_without(combined: Results, *some: tuple[Sequence[PunchingForce], Collection[str]]) -> Reach:
+    """Return d [m] for those of some forces that have no perimeter, by their names: shear is checked from there on."""
+    steel, result = combined.model.reinforcement, next(iter(combined.results.values()))
+    assert steel is not None
+    return {
+        force.key: force.depth(result, steel) for forces, missing in some for force in forces if force.name in missing
+    }
 
 
 def footprint_of(column: Column) -> Footprint:

@@ -78,6 +78,52 @@ def test_shear_begins_at_d_from_the_faces_of_a_thick_wall() -> None:
     assert check.place[1] == pytest.approx(y)
 
 
+CODES = ("EN 1992-1-1", "ACI 318", "EN 1992-1-1:2023")
+
+
+@pytest.mark.parametrize("code", CODES)
+def test_shear_begins_at_d_from_a_line_support(code: str) -> None:
+    """A slab of 1 m on supports 5 m apart, under 400 kPa: v = 400 (2.5 - d) = 618 kN/m at d from their axes.
+
+    Nearer than 2 d = 1.91 m no other check looks. Without nu the slab bends as a strip.
+    """
+    supports = [{"kind": "line", "points": [(x, -3), (x, 3)], "acts": "in compression"} for x in (-2.5, 2.5)]
+    model = strip(
+        [{"kind": "uniform", "q": 400e3, "case": "G"}], {"G": 1.0},
+        plate={"length_x": 6, "length_y": 6, "thickness": 1.0, "E": 31e9, "nu": 0.0},
+        ground={"kind": "winkler", "k": 1e3}, supports=supports, reinforcement={**STEEL, "code": code},
+    )  # fmt: skip
+    check = shear_of(solve(model))
+    assert check.demand == pytest.approx(400 * (2.5 - (1.0 - 0.045)), rel=0.01)
+
+
+def test_columns_without_a_force_hide_no_shear() -> None:
+    """Columns along a wall that carry nothing punch nothing: 161.4 kN/m at d from the wall, as without them."""
+    columns = [{"name": f"C{x}", "x": x, "y": 0.3, "width_x": 0.2, "width_y": 0.2} for x in range(-2, 3)]
+    check = shear_of(solve(strip([WALL], {"G": 1.5}, columns=columns)))
+    assert check.demand == pytest.approx(161.4, rel=0.01)
+
+
+@pytest.mark.parametrize("code", CODES)
+def test_thinner_slab_near_a_column_counts(code: str) -> None:
+    """A block of 1 m across a strip of 0.25 m, below a column as wide, under 960 kN / (6 x 1.5 m2) from the ground.
+
+    Beyond d from the block v = 106.7 (3 - 0.6 - 0.205) = 234 kN/m, which is read at a node up to 0.1 m farther out; the
+    column's own depth of 0.955 m is none of the strip's.
+    """
+    block = {"thickness": 1.0, "shape": {"kind": "rectangle", "x": (-0.6, 0.6), "y": (-0.75, 0.75)}}
+    model = strip(
+        [{"kind": "point", "P": 960e3, "column": "C", "case": "G"}], {"G": 1.0},
+        plate={"length_x": 6, "length_y": 1.5, "thickness": 0.25, "E": RIGID, "nu": 0.0, "zones": [block]},
+        columns=[{"name": "C", "x": 0, "y": 0, "width_x": 0.4, "width_y": 1.5}],
+        reinforcement={**STEEL, "code": code}, mesh={"size": 0.2},
+    )  # fmt: skip
+    p, d = 960 / (6 * 1.5), 0.25 - 0.045
+    check = shear_of(solve(model))
+    assert check.demand is not None
+    assert p * (3 - 0.6 - d - 0.1) * 0.99 < check.demand < p * (3 - 0.6 - d) * 1.01
+
+
 def test_shear_counts_up_to_a_wall_that_pulls() -> None:
     """A wall that pulls 100 kN/m out of a slab under 100 kPa: the force nearer than d counts (ACI 7.4.3.2(a))."""
     loads = [{"kind": "uniform", "q": 100e3, "case": "G"}, {**WALL, "q": -100e3, "case": "W"}]

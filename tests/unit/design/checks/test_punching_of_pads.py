@@ -127,3 +127,22 @@ def test_a_wide_column_at_the_edge_of_a_pad(code: str) -> None:
     around = surroundings(results["U"].plate, footprint_of(column), 1.0, Openings())
     for a in (D / 2, 2 * D):
         assert perimeter_at(around, a).u == pytest.approx(3 * 1.2 + math.pi * a, rel=1e-3)
+
+
+@pytest.mark.parametrize("code", ["EN 1992-1-1", "EN 1992-1-1:2023", "ACI 318"])
+def test_a_force_on_the_footprint_is_the_columns(code: str) -> None:
+    """A force on the footprint that names no column punches as one that does, with the moment of its distance.
+
+    800 kN 50 mm off the center are 800 kN and 40 kNm.
+    """
+    named = pad(code, 2.0, 2.0)
+    there = {"kind": "point", "case": "G", "P": 800e3, "x": 0.05, "y": 0, "width_x": 0.2, "width_y": 0.2}
+    as_column = {"kind": "point", "case": "G", "P": 800e3, "M_x": 40e3, "column": "C"}
+    every = [
+        [each for each in check_design(gs.solve(named.replace(loads=[load]))).checks if "punching" in each.name
+         or "two-way" in each.name]
+        for load in (there, as_column)
+    ]  # fmt: skip
+    for by_place, by_name in zip(*every, strict=True):
+        assert by_place.demand is not None
+        assert by_place.demand == pytest.approx(by_name.demand, rel=0.01)

@@ -87,6 +87,10 @@ def beam(section: dict[str, Any]) -> dict[str, Any]:
     return {"beams": [{"name": "B", "points": [(-1.0, 0.0), (1.0, 0.0)], "section": section, "E": 31e9, "nu": 0.2}]}
 
 
+#: Nowhere 2 d away from supports of unknown size.
+POINTS = [{"kind": "point", "x": x, "y": y, "acts": "in compression"} for x in (-1.0, 1.0) for y in (-1.0, 1.0)]
+BAY = {"length_x": 2.4, "length_y": 2.4, "thickness": 0.8, "E": 31e9, "nu": 0.2}
+ON_POINTS = {"plate": BAY, "columns": (), "loads": [WEIGHT], "supports": POINTS}
 GIVEN = {"kind": "properties", "second_moment": 1e-4, "torsion_constant": 1e-4, "shear_area": 0.01}
 CONCRETE = {"kind": "rectangle", "width": 0.3, "height": 0.6}
 #: By the reason: what of the slab differs where it is so, and where it is nearly so, and how the check is called.
@@ -97,6 +101,7 @@ CASES: dict[str, tuple[dict[str, Any], dict[str, Any], str]] = {
         "punching within 2 d",
     ),
     "no-perimeter": ({"plate": plate(corners=True)}, {"plate": plate(corners=False)}, "punching within 2 d"),
+    "no-place": (ON_POINTS, ON_POINTS | {"plate": BAY | {"thickness": 0.3}}, "one-way shear"),
     "glued-to-the-ground": (lifted(-300e3), lifted(300e3), "static equilibrium"),
     "no-combination": (
         {"limits": {"settlement": 0.02}}, {"limits": {"settlement": 0.02}, "combinations": [ULS, QUASI]}, "settlement",

@@ -52,7 +52,7 @@ def links(combined: Results, steel: Reinforcement) -> Iterator[LinkDemand]:
     if not results:
         return
     model = combined.model
-    yield from _of_forces(results, steel, "column", punching_columns(model), two_way(combined)[0])
+    yield from _of_forces(results, steel, "column", punching_columns(combined.solved_model), two_way(combined)[0])
     yield from _of_forces(results, steel, "pile", punching_piles(model), pile_two_way(combined)[0])
     yield from _of_forces(results, steel, "zone", zone_forces(combined), zone_two_way(combined)[0])
     if loaded_ends(model):

@@ -10,11 +10,24 @@ from groundslab.arrays import Array
 from groundslab.design.aci318 import shear
 from groundslab.design.aci318.case_materials import materials
 from groundslab.design.aci318.checks.concrete_steps import concrete_in_shear
+from groundslab.design.aci318.checks.two_way_demand import pile_two_way, zone_two_way
 from groundslab.design.aci318.materials import PHI_SHEAR
 from groundslab.design.basis.calculation import MEGA, Step
 from groundslab.design.basis.check import DesignCheck, Status
 from groundslab.design.basis.shear_demand import ShearDemand
+from groundslab.design.demands.perimeter_loads import Reach, punching_piles, reach_without
+from groundslab.design.demands.zones.thicker_zones import zone_forces
 from groundslab.model.design.reinforcement import Reinforcement
+from groundslab.results.results import Results
+
+
+def reach(combined: Results) -> Reach:
+    """Return how far from the face of piles and zones two-way shear is checked instead [m]: d without a section.
+
+    Beside columns means over cuts at d are checked (7.4.3.2).
+    """
+    of_piles = punching_piles(combined.model), pile_two_way(combined)[1]
+    return reach_without(combined, of_piles, (zone_forces(combined), zone_two_way(combined)[1]))
 
 
 def resistance(steel: Reinforcement, _: str, d: Array, rho: Array) -> Array:

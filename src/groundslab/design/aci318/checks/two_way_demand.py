@@ -74,7 +74,7 @@ _SECTIONS: Memo[Places[CriticalSection | str]] = Memo()
 @made_once
 def two_way(combined: Results) -> tuple[dict[tuple[str, str], TwoWay], Mapping[str, str]]:
     """Return the demands by combination and column, and why columns have none."""
-    return _two_way(combined, perimeter_loads.punching_columns(combined.model))
+    return _two_way(combined, perimeter_loads.punching_columns(combined.solved_model))
 
 
 @made_once

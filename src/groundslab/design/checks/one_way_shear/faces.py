@@ -3,7 +3,8 @@
 d counts from the face of a wall, and of a force with a footprint that is no column; of a line load without a width from
 its axis.
 Only what presses on the plate in a combination has such a part around it; beside a wall that pulls, shear counts up to
-its axis (ACI 318-19 7.4.3.2(a)). Where several loads stand on a line, their sum decides, piece by piece.
+its axis (ACI 318-19 7.4.3.2(a)). Where several loads stand on a line, their sum decides, piece by piece. Line supports
+have no width: d counts from their axis where they push up.
 """
 
 from __future__ import annotations
@@ -15,12 +16,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from groundslab.arrays import Array
-from groundslab.design.demands.loads.column_loads import factors_of
+from groundslab.design.demands.loads.column_loads import column_of, factors_of
 from groundslab.fem.mesh import Mesh, locate
 from groundslab.geometry.plan import FLAT
 from groundslab.model.loads.acting import LineForce, PointForce
 from groundslab.model.loads.clipping import clip_line
 from groundslab.model.model import Model
+from groundslab.model.supports import LineSupport
 from groundslab.results.mesh_results import PlateResult
 from groundslab.results.results import CombinationResult
 
@@ -36,27 +38,30 @@ SAME = 1e-9
 
 @dataclass(frozen=True, slots=True)
 class Bearer:
-    """A piece of a line or a footprint by which loads press on the plate."""
+    """A piece of a line or a footprint by which loads press on the plate, or a line support."""
 
     shape: BaseGeometry
     force: dict[str, Array]  # by load case: q at both ends of a line (2,) [N/m], P of a footprint (1,) [N]
     face: float = 0.0  # how far the face is from a line [m]
+    support: int | None = None  # number of a line support, from 0
 
-    def presses(self, factors: dict[str, float]) -> bool:
-        """Return whether the loads press on the plate in a combination, all along the piece."""
+    def presses(self, results: CombinationResult, factors: dict[str, float]) -> bool:
+        """Return whether the loads press on the plate in a combination, all along the piece, or the support does."""
+        if self.support is not None:
+            return results.supports[self.support].total > 0
         acting = sum((factors.get(case, 0.0) * value for case, value in self.force.items()), np.zeros(1))
         return bool(acting.min() >= 0 and acting.max() > 0)
 
 
 def bearers(model: Model) -> list[Bearer]:
-    """Return the pieces of lines that loads stand on, and the footprints of forces that are no columns."""
-    return [*_lines(model), *_footprints(model)]
+    """Return the pieces of lines that loads stand on, the footprints of forces on no column, and line supports."""
+    return [*_lines(model), *_footprints(model), *_supports(model)]
 
 
 def pressing(results: CombinationResult, every: list[Bearer]) -> tuple[int, ...]:
     """Return the positions of those that press on the plate in a combination."""
     factors = factors_of(results)
-    return tuple(position for position, bearer in enumerate(every) if bearer.presses(factors))
+    return tuple(position for position, bearer in enumerate(every) if bearer.presses(results, factors))
 
 
 def region_within_d(plate: PlateResult, some: list[Bearer], d: Array) -> BaseGeometry:
@@ -134,8 +139,17 @@ def _footprints(model: Model) -> Iterator[Bearer]:
     chord = FLAT * max(model.sides)
     force: dict[bytes, Bearer] = {}
     for load, point in model.acting:
-        if isinstance(point, PointForce) and point.ring is not None and not getattr(load, "column", ""):
+        if isinstance(point, PointForce) and point.ring is not None and not column_of(model, load):
             shape = point.to_shapely(chord)
             bearer = force.setdefault(shape.wkb, Bearer(shape, {}))
             bearer.force[load.case] = bearer.force.get(load.case, np.zeros(1)) + point.P
     yield from force.values()
+
+
+def _supports(model: Model) -> Iterator[Bearer]:
+    """Yield the line supports."""
+    from shapely import LineString
+
+    for number, support in enumerate(model.supports):
+        if isinstance(support, LineSupport):
+            yield Bearer(LineString(support.points), {}, support=number)

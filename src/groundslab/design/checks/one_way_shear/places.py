@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
 from typing import TYPE_CHECKING
@@ -15,8 +15,9 @@ from groundslab.design.by_plate import distances_to_edges, farthest_from_edges, 
 from groundslab.design.checks.one_way_shear.faces import Bearer, pressing, region_within_d, webs_of
 from groundslab.design.demands.line_traversal import interpolation, pieces
 from groundslab.design.demands.loads.column_loads import factors_of
-from groundslab.design.demands.perimeter_loads import Reach
+from groundslab.design.demands.perimeter_loads import PunchingForce, Reach
 from groundslab.design.demands.perimeters import outline
+from groundslab.design.demands.zones.thicker_zones import SAME
 from groundslab.design.required_bars import largest_areas, required_areas
 from groundslab.fem.mesh import Mesh
 from groundslab.model.design.floors import TR34Floor
@@ -24,6 +25,7 @@ from groundslab.model.design.laid_bars import laid_bars
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.model.loads.acting import PointForce
 from groundslab.model.remarks.singular_places import near_singular
+from groundslab.model.supports import LineSupport
 from groundslab.results.fields import LAYERS
 from groundslab.results.mesh_results import ElementResult, PlateResult
 from groundslab.results.results import CombinationResult
@@ -79,21 +81,24 @@ class ShearPlaces:
 
     nodes: Places
     bearers: list[Bearer]
-    reach: Reach  # how far from columns and piles punching is checked [m]
-    _known: dict[tuple[int, ...], PlacesByReach] = field(default_factory=dict)
+    forces: Sequence[PunchingForce]  # whose punching is checked instead near them
+    reach: Reach  # how far from them [m], else 2 d
+    _known: dict[tuple[tuple[int, ...], ...], PlacesByReach] = field(default_factory=dict)
 
     def of(self, results: CombinationResult) -> PlacesByReach:
         """Return the places of a combination."""
         which = pressing(results, self.bearers)
-        if which not in self._known:
-            self._known[which] = self._sort(results, [self.bearers[position] for position in which])
-        return self._known[which]
+        acting = tuple(number for number, force in enumerate(self.forces) if force.acting(results).any())
+        if (which, acting) not in self._known:
+            bearers = [self.bearers[position] for position in which]
+            self._known[which, acting] = self._sort(results, bearers, [self.forces[number] for number in acting])
+        return self._known[which, acting]
 
-    def _sort(self, results: CombinationResult, some: list[Bearer]) -> PlacesByReach:
+    def _sort(self, results: CombinationResult, some: list[Bearer], punching: Sequence[PunchingForce]) -> PlacesByReach:
         """Return the places sorted by their distance from the faces of what presses on the plate."""
         from shapely import contains_xy
 
-        nodes = self.nodes
+        nodes = self._away(results, self.nodes, punching)
         webs, axes = webs_of(results.solved_model)
         within_d = region_within_d(results.plate, some, nodes.d)
         region = within_d.union(webs)
@@ -101,12 +106,29 @@ class ShearPlaces:
             return PlacesByReach((nodes,), nodes.of(np.zeros_like(nodes.counts)))
         near, on_web = (np.asarray(contains_xy(part, *nodes.xy.T)) for part in (within_d, webs))
         beyond = nodes.of(nodes.counts & ~near & ~on_web)
-        at_d = _on_border(results, region, [*(bearer.shape for bearer in some), *axes], nodes, self.reach)
-        return PlacesByReach((beyond,) if at_d is None else (beyond, at_d), nodes.of(nodes.counts & near & ~on_web))
+        at_d = _on_border(results, region, [*(bearer.shape for bearer in some), *axes], nodes)
+        within = nodes.of(nodes.counts & near & ~on_web)
+        return PlacesByReach((beyond,) if at_d is None else (beyond, self._away(results, at_d, punching)), within)
+
+    def _away(self, results: CombinationResult, places: Places, punching: Sequence[PunchingForce]) -> Places:
+        """Return places of which those do not count that are so near to what punches that punching is checked there.
+
+        In slab thinner than under a column that is 2 d of the thinner slab, and around a thicker zone no place on it.
+        """
+        from shapely import distance, points
+
+        counts, there = places.counts, points(places.xy)
+        for force in punching:
+            reach = np.minimum(self.reach.get(force.key, np.inf), 2 * places.d)
+            near = distance(there, force.footprint.footprint()) <= reach
+            if force.at_zone:
+                near &= places.thickness <= force.thickness(results) * (1 + SAME)
+            counts = counts & ~near
+        return places.of(counts)
 
 
-def nodes_of(steel: Reinforcement, rule: ShearRule, results: list[CombinationResult], reach: Reach) -> Places:
-    """Return the plate's nodes; `reach` is how far from columns and piles punching is checked [m], else 2 d."""
+def nodes_of(steel: Reinforcement, rule: ShearRule, results: list[CombinationResult]) -> Places:
+    """Return the plate's nodes."""
     plate = results[0].plate
     thickness = results[0].elements.at_nodes(plate)[0]
     d = thickness - max(sum(steel.bottom_axes), sum(steel.top_axes)) / 2
@@ -118,17 +140,13 @@ def nodes_of(steel: Reinforcement, rule: ShearRule, results: list[CombinationRes
     least = rule.least_share * thickness
     ratios = {layer: np.minimum(np.maximum(area, least) / d, rule.most_ratio) for layer, area in areas.items()}
     numbers = np.arange(len(d))
-    counts = _counts(results[0], plate.nodes, d, thickness, reach)
+    counts = _counts(results[0], plate.nodes, d, thickness)
     ones = np.ones((len(d), 1))
     return Places(plate.nodes, numbers[:, None], ones, np.full(len(d), -1), d, thickness, ratios, counts)
 
 
 def _on_border(
-    results: CombinationResult,
-    region: BaseGeometry,
-    shapes: list[BaseGeometry],
-    nodes: Places,
-    reach: Reach,
+    results: CombinationResult, region: BaseGeometry, shapes: list[BaseGeometry], nodes: Places
 ) -> Places | None:
     """Return the places on the plate along the border of what lies within d of some shapes, None if there are none.
 
@@ -152,7 +170,7 @@ def _on_border(
     meets = np.zeros(len(mesh.elements), dtype=bool)
     meets[STRtree(_polygons(mesh)).query(shapes, predicate="intersects")[1]] = True
     element = np.where(meets[line.element[piece]], line.element[piece], -1)
-    return Places(xy, nearest, weights, element, d, thickness, ratios, _counts(results, xy, d, thickness, reach))
+    return Places(xy, nearest, weights, element, d, thickness, ratios, _counts(results, xy, d, thickness))
 
 
 def _legs_of(line: BaseGeometry) -> list[Array]:
@@ -171,19 +189,20 @@ def _polygons(mesh: Mesh) -> Array:
     return cells
 
 
-def _counts(results: CombinationResult, xy: Array, d: Array, thickness: Array, reach: Reach) -> Flags:
-    """Return at which places (k, 2) one-way shear is checked, whatever acts."""
-    from shapely import LineString, Point, distance, points
+def _counts(results: CombinationResult, xy: Array, d: Array, thickness: Array) -> Flags:
+    """Return at which places (k, 2) one-way shear is checked, whatever acts.
 
-    model, places = results.solved_model, points(xy)
-    chord = 1e-3 * max(model.sides)
-    nearer = [
-        distance(places, column.to_shapely(chord)) <= reach.get((False, column.name), 2 * d) for column in model.columns
+    Within 2 d of a support whose diameter is not known nothing can be checked.
+    """
+    from shapely import MultiPoint, distance, points
+
+    model = results.solved_model
+    bare = [
+        (support.x, support.y)
+        for support in model.supports
+        if not isinstance(support, LineSupport) and support.diameter is None
     ]
-    for number, support in enumerate(model.supports, start=1):
-        shape = LineString(support.points) if support.edges else Point(support.points[0])
-        nearer.append(distance(places, shape) <= reach.get((True, support.name or f"support {number}"), 2 * d))
-    far = ~np.any(nearer, axis=0) if nearer else np.ones(len(places), dtype=bool)
+    far = ~(distance(points(xy), MultiPoint(bare)) <= 2 * d)
     # of a narrow slab the middle half counts in any case
     middle = farthest_from_edges(results) / 2
     inner = distances_to_edges(results, xy) > np.minimum(thickness, middle)

@@ -2,13 +2,14 @@
 
 The shear force is the largest of any direction at a node, the bars that count are those of the face that is in tension
 in that direction: those that are laid, or those that bending needs. Left out are places where it is not this that is
-checked: near columns as far as punching is, which is 2 d unless that perimeter cuts the slab from edge to edge, and
-within 2 d of supports and of the forces on a floor whose punching is checked by TR34; within a thickness of free edges
-(a quarter of the width of a narrow slab), where the shear force along the edge is what the twisting moment has become;
-and near singular places. Beside line loads and footprints that are no columns it begins at d from them (`faces`), up
-to which no struts may fail by EN 1992-1-1. Beside columns means over cuts across the slab, at d from
-them, are checked, too (`basis/wide_beam`): by ACI 318 at all of them, by the others where no other column shares the
-cut, as on pads and strips.
+checked: near columns, piles and thicker zones whose force acts in the combination, as far as punching is, which is 2 d
+unless that perimeter cuts the slab from edge to edge; within 2 d of point supports without a diameter, and of the
+forces on a floor whose punching is checked by TR34; within a thickness of free edges (a quarter of the width of a
+narrow slab), where the shear force along the edge is what the twisting moment has become; and near singular places.
+Beside line loads, line supports and footprints that are no columns it begins at d from them (`faces`), up to which no
+struts may fail by EN 1992-1-1. Beside columns means over cuts across the slab, at d from them, are checked, too
+(`basis/wide_beam`): by ACI 318 at all of them, by the others where no other column shares the cut, as on pads and
+strips.
 
 On ground with shear the line force along the slab's edge takes off shear forces beside it. The worse of both counts:
 with it at the edge, and with it as pressure over a strip (`edge_strip`), unless the case lets it relieve.
@@ -24,7 +25,7 @@ import numpy as np
 
 from groundslab.accuracy.values import reduction_of
 from groundslab.arrays import Array
-from groundslab.design.basis.check import DesignCheck
+from groundslab.design.basis.check import NO_PLACE, DesignCheck, not_judged
 from groundslab.design.basis.combinations import ultimate_results
 from groundslab.design.basis.demand_errors import error_of_greatest, scaled
 from groundslab.design.basis.design_code import ShearRule, no_rule
@@ -34,7 +35,9 @@ from groundslab.design.checks.one_way_shear.faces import bearers
 from groundslab.design.checks.one_way_shear.places import FORCES, Places, ShearPlaces, near_forces, nodes_of
 from groundslab.design.codes import code_of
 from groundslab.design.demands.edge_strip import plates_that_count, spread_edge_force
+from groundslab.design.demands.perimeter_loads import punching_columns, punching_piles
 from groundslab.design.demands.principal_shear import principal_shear, ratio_along
+from groundslab.design.demands.zones.thicker_zones import zone_forces
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.fields import place_of
 from groundslab.results.mesh_results import PlateResult
@@ -53,12 +56,17 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
         return
     rule = code.shear
     reach = {} if rule.reach is None else rule.reach(combined)
-    places = ShearPlaces(nodes_of(steel, rule, results, reach), bearers(combined.solved_model), reach)
+    model = combined.solved_model
+    punching = (*punching_columns(model), *punching_piles(model), *zone_forces(combined))
+    places = ShearPlaces(nodes_of(steel, rule, results), bearers(model), punching, reach)
     demands = [demand for result in results for demand in _of_combination(result, places, steel, rule)]
     if rule.cuts is not None:
         demands += _across(results, places.nodes, steel, rule, rule.cuts(results[0], steel))
     if demands:
         yield rule.check(steel, max(demands, key=lambda demand: demand.used))
+    else:
+        words = "no place of the slab is far enough from what bears on it"
+        yield not_judged("one-way shear", NO_PLACE, words)
 
 
 def _of_combination(

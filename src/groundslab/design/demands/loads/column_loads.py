@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, assert_never
 
 import numpy as np
 
-from groundslab.arrays import Array, Flags, Integers
+from groundslab.arrays import Array, Flags, Integers, made_once
 from groundslab.design.demands.loads.building_loads import building_factors, unit_loads
 from groundslab.fem import load_vectors
 from groundslab.fem.mesh import Mesh
@@ -25,7 +25,7 @@ from groundslab.model.loads.acting import (
     SupportSettlement,
 )
 from groundslab.model.loads.clipping import LinePiece
-from groundslab.model.loads.load_types import PointLoad
+from groundslab.model.loads.load_types import AnyLoad, PointLoad
 from groundslab.model.loads.spreading import spread_line
 from groundslab.model.model import Model
 from groundslab.model.plates.further import first_sections
@@ -40,35 +40,56 @@ Shapes = Sequence[tuple[str, Acting]]
 
 
 def sum_of_column(model: Model, name: str) -> dict[str, float]:
-    """Return the sum of the point loads that name a column [N], and of what the building adds, by load case."""
+    """Return the sum of the point loads on a column [N], and of what the building adds, by load case."""
     return {case: float(sums[0]) for case, sums in by_column(model, name).items()}
 
 
+def column_of(model: Model, load: AnyLoad) -> str:
+    """Return the column on which a load stands: the one that it names, or on whose footprint its center is."""
+    return getattr(load, "column", "") or _on_footprints(model).get(id(load), "")
+
+
+@made_once
+def _on_footprints(model: Model) -> dict[int, str]:
+    """Return the columns on whose footprints forces stand that name none, by the identity of their loads."""
+    from shapely import STRtree, points
+
+    loads = [load for load in model.loads if isinstance(load, PointLoad) and not load.column]
+    if not loads or not model.columns:
+        return {}
+    tree = STRtree([column.to_shapely(FLAT * max(model.sides)) for column in model.columns])
+    pairs = tree.query(points([(load.x, load.y) for load in loads]), predicate="intersects")
+    return {id(loads[load]): model.columns[column].name for load, column in reversed(pairs.T.tolist())}
+
+
 def by_column(model: Model, name: str) -> dict[str, Array]:
-    """Return the sums of P [N], M_x and M_y [N m] (3,) of the point loads that name a column, by load case.
+    """Return the sums of P [N], M_x and M_y [N m] (3,) of the point loads on a column about its center, by load case.
 
     The building above has cases of its own, see `building_loads`.
     """
     sums: dict[str, Array] = defaultdict(lambda: np.zeros(3))
+    places = {column.name: (column.x, column.y) for column in model.columns}
     for load in model.loads:
-        if isinstance(load, PointLoad) and load.column == name:
-            sums[load.case] += (load.P, load.M_x, load.M_y)
+        if isinstance(load, PointLoad) and column_of(model, load) == name:
+            x, y = places[name]
+            off = (0.0 if load.x is None else load.x - x, 0.0 if load.y is None else load.y - y)
+            sums[load.case] += (load.P, load.M_x + load.P * off[0], load.M_y + load.P * off[1])
     for number, (case, _) in enumerate(unit_loads(model).get(name, ())):
         sums[case] += np.eye(3)[number]
     return dict(sums)
 
 
 def sum_of_others(results: CombinationResult, part: Polygon, columns: Collection[str]) -> dict[str, float]:
-    """Return the sum of all loads on a part of the plate but those that name some columns [N], by load case."""
+    """Return the sum of all loads on a part of the plate but those on some columns [N], by load case."""
     return {case: float(sums[0]) for case, sums in acting_inside(results, part, columns).items()}
 
 
 def shapes_around(model: Model, part: Polygon, columns: Collection[str]) -> Shapes:
-    """Return the loads that may act on a part of the plate, without those that name some columns."""
+    """Return the loads that may act on a part of the plate, without those on some columns."""
     stands_near = cache(partial(_stands_near, model=model, part=part))
     shapes: list[tuple[str, Acting]] = []
     for load in model.loads:
-        on_column = getattr(load, "column", "")
+        on_column = column_of(model, load)
         if on_column and (on_column in columns or not stands_near(on_column)):
             continue
         shapes += [(load.case, shape) for shape in model.shapes(load)]
@@ -109,7 +130,7 @@ def acting_inside(
     part : shapely.Polygon
         Part of the plate.
     columns : collection of str
-        Loads that name these columns are left out.
+        Loads on these columns are left out.
     shapes : sequence of (str, Acting), optional
         What may press the part (see `shapes_around`), with its load case; all of the model by default.
     shares : ((k,) array of int, (k, 9) array), optional

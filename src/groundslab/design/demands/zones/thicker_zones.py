@@ -120,7 +120,7 @@ def zone_forces(combined: Results) -> tuple[ZoneForce, ...]:
     first = next(iter(combined.results.values()), None)
     if first is None or not combined.model.columns or np.ptp(first.elements.thickness) == 0:
         return ()
-    forces = (*punching_columns(combined.model), *punching_piles(combined.model))
+    forces = (*punching_columns(combined.solved_model), *punching_piles(combined.model))
     sections = first_sections(combined.model.every_plate)
     zones = [
         _called(zone, f"{zone.name} of {plate}") if combined.model.plates else zone

@@ -58,7 +58,7 @@ def demands(combined: Results) -> Demands:
     """Return the demands of punching in all ultimate combinations, if bars are given; at columns."""
     around = {name for (_, name), demand in zone_demands(combined).found.items() if demand.around}
     zones = tuple(zone for zone in zone_forces(combined) if zone.name in around)
-    return _demands(combined, perimeter_loads.punching_columns(combined.model), zones)
+    return _demands(combined, perimeter_loads.punching_columns(combined.solved_model), zones)
 
 
 @made_once

@@ -94,7 +94,7 @@ def links(combined: Results, steel: Reinforcement) -> Iterator[LinkDemand]:
     if not results:
         return
     model = combined.model
-    yield from _of_forces(results[0], steel, "column", punching_columns(model), demands(combined))
+    yield from _of_forces(results[0], steel, "column", punching_columns(combined.solved_model), demands(combined))
     yield from _of_forces(results[0], steel, "pile", punching_piles(model), pile_demands(combined))
     yield from _of_forces(results[0], steel, "zone", zone_forces(combined), zone_demands(combined))
     if loaded_ends(model):

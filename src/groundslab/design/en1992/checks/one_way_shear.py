@@ -13,7 +13,7 @@ from groundslab.design.basis.shear_demand import ShearDemand
 from groundslab.design.demands.perimeter_loads import Reach
 from groundslab.design.en1992 import shear
 from groundslab.design.en1992.case_materials import largest_cover, materials
-from groundslab.design.en1992.checks.governing_perimeters import demands, pile_demands
+from groundslab.design.en1992.checks.governing_perimeters import demands, pile_demands, zone_demands
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.results import Results
 
@@ -22,8 +22,8 @@ LEAST_WITH_LINKS = 0.2
 
 
 def reach(combined: Results) -> Reach:
-    """Return how far from the face of columns and piles punching is checked instead [m]."""
-    return {**demands(combined).reach, **pile_demands(combined).reach}
+    """Return how far from the face of columns, piles and thicker zones punching is checked instead [m]."""
+    return {**demands(combined).reach, **pile_demands(combined).reach, **zone_demands(combined).reach}
 
 
 def resistance(steel: Reinforcement, limit_state: str, d: Array, rho: Array) -> Array:

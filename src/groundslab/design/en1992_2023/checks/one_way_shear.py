@@ -9,34 +9,27 @@ import numpy as np
 from groundslab.arrays import Array
 from groundslab.design.basis.calculation import MEGA, Step
 from groundslab.design.basis.check import DesignCheck, Status
-from groundslab.design.basis.combinations import ultimate_results
 from groundslab.design.basis.shear_demand import ShearDemand
-from groundslab.design.demands.perimeter_loads import Reach, punching_columns, punching_piles
+from groundslab.design.demands.perimeter_loads import Reach, punching_columns, punching_piles, reach_without
+from groundslab.design.demands.zones.thicker_zones import zone_forces
 from groundslab.design.en1992_2023 import shear
 from groundslab.design.en1992_2023.case_materials import flattest, materials
 from groundslab.design.en1992_2023.checks.concrete_steps import in_shear
 from groundslab.design.en1992_2023.checks.punching import LEAST_WITH_LINKS
-from groundslab.design.en1992_2023.checks.punching_demand import column_demands, pile_demands
+from groundslab.design.en1992_2023.checks.punching_demand import column_demands, pile_demands, zone_demands
 from groundslab.design.eurocode2.struts import LEVER
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.results import Results
 
 
 def reach(combined: Results) -> Reach:
-    """Return how far from the face of columns and piles punching is checked instead [m]: d where there is no perimeter.
+    """Return how far from the face of columns, piles and zones punching is checked instead [m]: d without a perimeter.
 
     Those whose perimeters cut the slab from edge to edge are checked in shear from there on (8.2.2(1)).
     """
-    steel, results = combined.model.reinforcement, ultimate_results(combined)
-    assert steel is not None
-    of_columns = punching_columns(combined.model), column_demands(combined)[1]
+    of_columns = punching_columns(combined.solved_model), column_demands(combined)[1]
     of_piles = punching_piles(combined.model), pile_demands(combined)[1]
-    return {
-        force.key: force.depth(results[0], steel)
-        for forces, missing in (of_columns, of_piles)
-        for force in forces
-        if force.name in missing
-    }
+    return reach_without(combined, of_columns, of_piles, (zone_forces(combined), zone_demands(combined)[1]))
 
 
 def resistance(steel: Reinforcement, limit_state: str, d: Array, rho: Array) -> Array:

@@ -90,7 +90,7 @@ Demands = tuple[dict[tuple[str, str], Punching], Mapping[str, str]]
 @made_once
 def column_demands(combined: Results) -> Demands:
     """Return the demands at columns."""
-    return _of_kind(combined, perimeter_loads.punching_columns(combined.model))
+    return _of_kind(combined, perimeter_loads.punching_columns(combined.solved_model))
 
 
 @made_once
@@ -102,7 +102,7 @@ def pile_demands(combined: Results) -> Demands:
 @made_once
 def zone_demands(combined: Results) -> Demands:
     """Return the demands around thicker zones with columns on them."""
-    return _demands(combined, zone_forces(combined), perimeter_loads.punching_columns(combined.model))
+    return _demands(combined, zone_forces(combined), perimeter_loads.punching_columns(combined.solved_model))
 
 
 def _of_kind(combined: Results, forces: tuple[PunchingForce, ...]) -> Demands:

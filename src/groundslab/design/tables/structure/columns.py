@@ -42,7 +42,7 @@ def column_table(combined: Results) -> Table:
     """Return load, settlement, worst neighbor and demand of punching of each column in each combination."""
     model = combined.model
     results = solved_results(combined)
-    by_case = {column.name: column_loads.sum_of_column(model, column.name) for column in model.columns}
+    by_case = {column.name: column_loads.sum_of_column(combined.solved_model, column.name) for column in model.columns}
     punched = punching_at_columns(combined)
     rows = []
     for result in results:
