@@ -8,6 +8,7 @@ from functools import cache, partial
 from groundslab.design.basis.wall_ends import loaded_ends
 from groundslab.design.checks import check_design
 from groundslab.design.checks_table import checks_table
+from groundslab.design.codes import code_of
 from groundslab.design.demands.perimeter_loads import punching_piles
 from groundslab.design.demands.zones.thicker_zones import zone_forces
 from groundslab.design.detailing.bar_quantities import bars
@@ -21,7 +22,7 @@ from groundslab.design.tables.reinforcement import reinforcement
 from groundslab.design.tables.structure.beams import beam_reinforcement, beam_table
 from groundslab.design.tables.structure.building import building_table, storey_table
 from groundslab.design.tables.structure.columns import column_envelope, column_table
-from groundslab.design.tables.structure.walls import wall_limit_table, wall_table
+from groundslab.design.tables.structure.walls import wall_limit_table, wall_reinforcement, wall_table
 from groundslab.design.tables.summary import acting_cases, combinations, extremes, tilts
 from groundslab.design.tables.supports import joint_table, support_table
 from groundslab.design.tables.table import Column, Table, in_units
@@ -142,6 +143,9 @@ def _makers(combined: Results) -> dict[str, Callable[[], Table]]:
         if any(not isinstance(beam.section, GivenSection) for beam in model.beams):
             of_beams = partial(beam_reinforcement, steel=model.reinforcement)
             makers["beam_reinforcement"] = lambda: errors.with_errors_of_governing(of_beams, combined)
+        if code_of(model.reinforcement).walls and any(wall.height is not None for wall in model.walls):
+            of_walls = partial(wall_reinforcement, steel=model.reinforcement)
+            makers["wall_reinforcement"] = lambda: errors.with_errors_of_governing(of_walls, combined)
         links = punching_links(combined)
         if links:
             makers["shear_reinforcement"] = lambda: shear_reinforcement(combined)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from groundslab.design.aci318 import beams, bending, detailing
+from groundslab.design.aci318 import beams, bending, detailing, walls
 from groundslab.design.aci318.case_materials import materials
 from groundslab.design.aci318.checks import (
     bars,
@@ -16,7 +16,15 @@ from groundslab.design.aci318.checks import (
 )
 from groundslab.design.aci318.checks.remarks import remarks
 from groundslab.design.basis import wide_beam
-from groundslab.design.basis.design_code import BeamRule, Clauses, DesignCode, FlangeRule, PunchingRule, ShearRule
+from groundslab.design.basis.design_code import (
+    BeamRule,
+    Clauses,
+    DesignCode,
+    FlangeRule,
+    PunchingRule,
+    ShearRule,
+    WallRule,
+)
 from groundslab.design.bending import BendingRule
 from groundslab.model.design.reinforcement import Reinforcement
 
@@ -64,6 +72,7 @@ ACI318 = DesignCode(
         struts_at_faces=False,
         flange=FlangeRule(beams.flange_bars, beams.flange_limit, "22.9", beams.flange_steps),
     ),
+    walls=WallRule(walls.least, walls.most, "9.9.2.1, 9.9.3.1"),
     bars=bars.checks,
     detailing=detailing.RULE,
     remarks=remarks,

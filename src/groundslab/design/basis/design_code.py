@@ -188,6 +188,25 @@ class BeamRule:
 
 
 @dataclass(frozen=True, slots=True)
+class WallRule:
+    """Walls with a height.
+
+    Attributes
+    ----------
+    least : callable
+        Of a thickness [m]: the least bars upright and level, both faces together [m2/m].
+    most : callable
+        Of materials, a limit state, a thickness and a height [m]: the largest shear force that struts bear [N].
+    clauses : str
+        Where the code rules these.
+    """
+
+    least: Callable[[float], tuple[float, float]]
+    most: Callable[[Reinforcement, str, float, float], float]
+    clauses: str
+
+
+@dataclass(frozen=True, slots=True)
 class DesignCode:
     """The rules of a code.
 
@@ -207,6 +226,8 @@ class DesignCode:
         Of materials, what a layer of bars needs, and a limit state: the calculation of it.
     beams : BeamRule or None
         Beams and ribs.
+    walls : WallRule or None
+        Walls with a height.
     bars : callable or None
         Of all combinations, materials and laid bars by layer: the checks of these bars besides their area.
     detailing : DetailingRule or None
@@ -224,6 +245,7 @@ class DesignCode:
     shear: ShearRule | None = None
     punching: PunchingRule | None = None
     beams: BeamRule | None = None
+    walls: WallRule | None = None
     bars: Callable[[Results, Reinforcement, dict[str, LaidBars]], Iterator[DesignCheck]] | None = None
     detailing: DetailingRule | None = None
     fire: Callable[[CombinationResult, Reinforcement], Iterator[DesignCheck]] | None = None

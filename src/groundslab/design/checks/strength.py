@@ -10,7 +10,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from groundslab.design import beam_bars, required_bars
+from groundslab.design import beam_bars, required_bars, wall_bars
 from groundslab.design.basis.check import GIVEN_SECTION, DesignCheck, not_judged, some
 from groundslab.design.basis.combinations import UNFACTORED, ultimate_results, why_none, without_partial_factors
 from groundslab.design.basis.design_code import DesignCode, no_rule
@@ -42,7 +42,7 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
     if any(isinstance(support, Pile) for support in combined.model.supports):
         yield DesignCheck("piles", "not checked", "the strength of the piles themselves is not checked")
     if any(wall.height is not None for wall in combined.model.walls):
-        yield DesignCheck("walls", "not checked", "the strength of walls with a height is not checked")
+        yield from _walls(combined, code)
     if combined.model.beams:
         yield from _beams(combined, code)
     if without_partial_factors(combined):
@@ -82,6 +82,28 @@ def _beams(combined: Results, code: DesignCode) -> Iterator[DesignCheck]:
         f'"{worst.combination}"'
     )
     yield DesignCheck("beams", "fails", words, of=worst.beam, combination=worst.combination, clause=clause)
+
+
+def _walls(combined: Results, code: DesignCode) -> Iterator[DesignCheck]:
+    """Yield whether struts of walls with a height bear their shear forces, and what of these walls is not checked."""
+    steel = combined.model.reinforcement
+    assert steel is not None
+    if code.walls is None:
+        yield no_rule(code, "walls")
+    elif needs := wall_bars.wall_needs(combined, steel):
+        worst = max(needs, key=lambda need: need.used)
+        words = (
+            f"{abs(worst.force) / 1e3:.4g} kN in {worst.wall}, {worst.way:.2f} m from its start, use {worst.used:.3g} "
+            f"of what its struts bear; it needs at least {worst.upright * 1e4:.3g} cm2/m of bars upright and "
+            f"{worst.level * 1e4:.3g} cm2/m level, both faces together"
+        )
+        yield DesignCheck(
+            "walls", "no failure found" if worst.used <= 1 else "fails", words, of=worst.wall,
+            demand=abs(worst.force) / 1e3, resistance=worst.borne / 1e3, unit="kN", combination=worst.combination,
+            place=worst.place, clause=f"{code.name} {code.walls.clauses}",
+        )  # fmt: skip
+    words = "ties, forces along and across, ends, openings and joints of walls with a height are not designed"
+    yield DesignCheck("rest of walls", "not checked", words)
 
 
 def _webs(needs: list[beam_bars.BeamNeed], clause: str) -> DesignCheck:

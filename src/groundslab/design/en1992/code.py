@@ -2,10 +2,18 @@
 
 from __future__ import annotations
 
-from groundslab.design.basis.design_code import BeamRule, Clauses, DesignCode, FlangeRule, PunchingRule, ShearRule
+from groundslab.design.basis.design_code import (
+    BeamRule,
+    Clauses,
+    DesignCode,
+    FlangeRule,
+    PunchingRule,
+    ShearRule,
+    WallRule,
+)
 from groundslab.design.basis.wide_beam import cuts_from_edge_to_edge
 from groundslab.design.bending import BendingRule
-from groundslab.design.en1992 import beams, bending, detailing, shear
+from groundslab.design.en1992 import beams, bending, detailing, shear, walls
 from groundslab.design.en1992.case_materials import materials
 from groundslab.design.en1992.checks import (
     bars,
@@ -62,6 +70,7 @@ EN1992 = DesignCode(
         struts_at_faces=True,
         flange=FlangeRule(beams.flange_bars, beams.flange_limit, "6.2.4", beams.flange_steps),
     ),
+    walls=WallRule(walls.least, walls.most, "6.9, 9.6.2, 9.6.3, 9.7"),
     bars=bars.checks,
     detailing=detailing.RULE,
     fire=fire.checks,

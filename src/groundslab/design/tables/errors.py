@@ -55,6 +55,7 @@ VALUES: dict[str, tuple[str, ...]] = {
     "wall_punching": _PUNCHING,
     "zone_punching": ("load", *_PUNCHING),
     "reinforcement": ("required area", "design moment"),
+    "wall_reinforcement": ("shear force", "share used"),
     "beam_reinforcement": ("required area", "required links", "moment", "shear force", "torsional moment"),
 }  # fmt: skip
 #: Extremes in the table of combinations: which of which quantity.

@@ -20,7 +20,11 @@ const GROUPS: readonly { name: string; label: string; tables: Record<string, str
     label: "Columns",
     tables: { column_envelope: "extremes", columns: "all combinations", zone_punching: "punching around zones" },
   },
-  { name: "walls", label: "Walls", tables: { walls: "all combinations", wall_punching: "punching at ends" } },
+  {
+    name: "walls",
+    label: "Walls",
+    tables: { walls: "all combinations", wall_punching: "punching at ends", wall_reinforcement: "reinforcement" },
+  },
   { name: "beams", label: "Beams", tables: { beams: "all combinations", beam_reinforcement: "reinforcement" } },
   { name: "building", label: "Building", tables: { building: "all combinations", storeys: "storeys" } },
   {

@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 from groundslab.design.basis.combinations import solved_results
+from groundslab.design.codes import code_of
 from groundslab.design.demands.loads.wall_loads import loads_on_wall, settlement_along
 from groundslab.design.tables.table import Cell, Table, table_of
+from groundslab.design.wall_bars import wall_needs
+from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.fields import PLATE_FIELDS
 from groundslab.results.results import Results
 
@@ -22,6 +25,30 @@ _NOTES = (
     "The deflection is the largest distance of the settlement along the wall from the straight line between the "
     "settlements of its ends, positive where the wall sags; a closed wall has none.",
 )
+
+
+#: What walls with a height need.
+_NEEDS = (
+    ("wall", ""), ("required bars upright", "cm2/m"), ("required bars level", "cm2/m"), ("shear force", "kN"),
+    ("shear force that struts bear", "kN"), ("share used", ""), ("from the start", "m"), ("combination", ""),
+)  # fmt: skip
+
+
+def wall_reinforcement(combined: Results, steel: Reinforcement) -> Table:
+    """Return the least bars of each part of a wall with a height, and what its shear force uses of its struts."""
+    code = code_of(steel)
+    assert code.walls is not None
+    notes = (
+        f"By {code.name} {code.walls.clauses}, with the concrete and the steel of the slab: the least bars of both "
+        "faces together, and the shear force that uses most of what struts bear over all ultimate combinations. Ties, "
+        "forces along and across, ends, openings and joints of walls with a height are not designed.",
+    )
+    rows: list[list[Cell]] = [
+        [need.wall, need.upright * 1e4, need.level * 1e4, need.force / 1e3, need.borne / 1e3, need.used, need.way,
+         need.combination]
+        for need in wall_needs(combined, steel)
+    ]  # fmt: skip
+    return table_of("wall_reinforcement", "Reinforcement of walls", _NEEDS, rows, notes)
 
 
 _LIMITS = (
