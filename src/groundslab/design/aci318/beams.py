@@ -3,9 +3,10 @@
     A_s >= max(0.25 (f'c)^(1/2), 1.4 MPa) / f_y b_w d,    f'c in MPa
 
 f_y is at most 550 MPa there, and b_w the lesser of 2 b_w and the flange's width where the flange is in tension, which
-is asked of statically determinate beams alone (9.6.1.2). Across the plane between a web and its flange bars act by
-shear friction (22.9): A_vf = V_u / (phi mu f_y) with mu = 1.4 of concrete cast at once, f_y at most 420 MPa (Table
-20.2.2.4(a)), and V_u <= phi min(0.2 f'c, 3.3 MPa + 0.08 f'c, 11 MPa) A_c (Table 22.9.4.4).
+is asked of statically determinate beams alone (9.6.1.2). Across the plane between a web and its flange, for which there
+is no other rule where both are cast at once, bars act by shear friction (22.9): A_vf = V_u / (phi mu f_y) with mu =
+1.4, f_y at most 420 MPa (Table 20.2.2.4(a)), and V_u <= phi min(0.2 f'c, 3.3 MPa + 0.08 f'c, 11 MPa) A_c (Table
+22.9.4.4).
 
 Links carry shear (22.5.8.5.3) and, above phi T_th, torsion with struts of 45 degrees (22.7), of which A_cp, p_cp are
 those of the web and A_oh, p_h those within the axes of its bars, less than within its links, which is safe:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from itertools import pairwise
 from typing import TYPE_CHECKING, Protocol
 
 from groundslab.geometry.plan import format_place
@@ -11,10 +12,10 @@ from groundslab.model.loads.acting import LineForce
 from groundslab.model.loads.lines import LineLoad, LineMoment
 from groundslab.model.loads.load_types import AnyLoad, PointLoad, SelfWeight, Spread
 from groundslab.model.plate import Plate
-from groundslab.model.plates.further import FurtherPlate, list_plates
+from groundslab.model.plates.further import AnyPlate, FurtherPlate, list_plates
 from groundslab.model.plates.region import NO_PART, PlateRegion, get_plate_region
 from groundslab.model.shapes import CHORD
-from groundslab.model.structure.beams import Beam
+from groundslab.model.structure.beams import Beam, RectangularSection
 from groundslab.model.structure.columns import Column
 from groundslab.model.structure.lines import line_segments, part_of_line
 from groundslab.model.structure.spans import spans_of, ways_on_plates
@@ -123,6 +124,29 @@ def _check_names_of(loads: tuple[AnyLoad, ...], key: str, names: list[str]) -> I
             yield RelativeIssue(place, describe(name), expected, hint, repairs)
 
 
+def _parts_by_thickness(
+    beam: Beam, plate: AnyPlate, way: tuple[float, float]
+) -> Iterator[tuple[float, tuple[float, float]]]:
+    """Yield the thickness of a plate [m] along a part of a beam, and from way to way [m] where it is that."""
+    if not plate.zones or not isinstance(beam.section, RectangularSection):
+        yield plate.thickness, way
+        return
+    from shapely import Point
+
+    axis = beam.to_shapely(CHORD * max(plate.sides))
+    zones = [(zone.shape.ring().polygon(CHORD * max(plate.sides)), zone.thickness) for zone in plate.zones]
+    share = beam.length / axis.length
+    met = (axis.intersection(zone.boundary) for zone, _ in zones)
+    places = (part for each in met for part in getattr(each, "geoms", [each]) if not part.is_empty)
+    cuts = {float(axis.project(Point(place))) * share for part in places for place in (part.coords[0], part.coords[-1])}
+    near = NO_PART * beam.length
+    ways = [way[0], *(cut for cut in sorted(cuts) if way[0] + near < cut < way[1] - near), way[1]]
+    for start, end in pairwise(ways):
+        middle = axis.interpolate((start + end) / 2 / share)
+        there = [thickness for zone, thickness in zones if zone.covers(middle)]
+        yield (there[-1] if there else None) or plate.thickness, (start, end)
+
+
 def weights_of(
     beams: tuple[Beam, ...], plate: Plate, plates: tuple[FurtherPlate, ...], load: SelfWeight
 ) -> Iterator[LineForce]:
@@ -132,7 +156,8 @@ def weights_of(
     """
     every, region = list_plates(plate, plates), get_plate_region(plate, plates)
     for beam in beams:
-        parts = [(own, beam.beside_plate(own.thickness), way) for own in every for way in ways_on_plates(beam, own)]
+        parts = [(own, beam.beside_plate(thickness), part) for own in every for way in ways_on_plates(beam, own)
+                 for thickness, part in _parts_by_thickness(beam, own, way)]  # fmt: skip
         for start, end in spans_of(beam, plate, plates):
             points, _ = part_of_line(beam.edges, start, end)
             parts.append((every[region.plate_at(points[0])], beam.beside_plate(0.0), (start, end)))

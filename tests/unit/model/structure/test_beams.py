@@ -190,3 +190,15 @@ def test_a_self_weight_weighs_beams_of_concrete_if_it_says_so() -> None:
     ]  # fmt: skip
     solved = gs.solve(weighed.replace(mesh={"size": 1.0})).only
     assert solved.certificate.load == pytest.approx(25e3 * (24 * 0.2 + 6 * 0.12 + 4 * 0.2), rel=1e-9)
+
+
+def test_rectangles_weigh_what_is_higher_than_the_plate_there() -> None:
+    """0.3 m by 0.6 m over 6 m: 0.4 m beside 0.2 m of plate, 0.2 m over 2 m of a zone of 0.4 m, none in one of 0.7 m."""
+    weight = {"kind": "self weight", "unit_weight": 25e3, "beams": True}
+    zones = [{"shape": {"kind": "rectangle", "x": x, "y": (-1.0, 1.0)}, "thickness": t}
+             for x, t in (((-1.0, 1.0), 0.4), ((2.0, 2.5), 0.7))]  # fmt: skip
+    plate = {"length_x": 6.0, "length_y": 4.0, "thickness": 0.2, "E": 30e9, "nu": 0.2, "zones": zones}
+    found = model(ACROSS, plate=plate, loads=[weight])
+    lines = [shape for _, shape in found.acting if isinstance(shape, LineForce)]
+    assert [(round(line.length, 6), round(line.q[0] / 25e3, 6)) for line in lines] == [
+        (2.0, 0.12), (2.0, 0.06), (1.0, 0.12), (0.5, 0.12)]  # fmt: skip
