@@ -1,5 +1,4 @@
 # The public names, and where each is defined.
-from . import study as study
 from ._version import __version__ as __version__
 from .analysis.check import check as check
 from .analysis.driver import solve as solve
@@ -131,6 +130,7 @@ from .results.results import Results as Results
 from .study.alternatives.comparison import DesignAlternative as DesignAlternative
 from .study.alternatives.comparison import DesignComparison as DesignComparison
 from .study.alternatives.comparison import compare_designs as compare_designs
+from .study.call import study as study
 from .study.evaluation.study import open_study as open_study
 from .views.bars import write_bars as write_bars
 from .views.files.results_folder import load_results as load_results

@@ -66,17 +66,18 @@ def test_sdist_and_wheel_contain_the_help(distributions: list[set[str]]) -> None
     assert sum(path.stat().st_size for path in copied) < 3_000_000
 
 
-def test_citation_has_the_latest_release() -> None:
-    """CITATION.cff, codemeta.json and the page on citing name it as the changelog does, with its date."""
+def test_citation_has_the_version_of_the_package() -> None:
+    """CITATION.cff, codemeta.json and the page on citing name it, and a release its date in the changelog."""
     changes = (ROOT / "CHANGELOG.md").read_text(encoding="utf-8")
-    release, date = re.findall(r"^## \[([\d.]+)\] - (.+)$", changes, re.MULTILINE)[0]
+    version = groundslab.__version__
+    dates = re.findall(rf"^## \[{re.escape(version)}\] - (.+)$", changes, re.MULTILINE)
     text = (ROOT / "CITATION.cff").read_text(encoding="utf-8")
-    assert re.findall(r"^(?:version|date-released): (.+)$", text, re.MULTILINE) == [release, date]
+    assert re.findall(r"^(?:version|date-released): (.+)$", text, re.MULTILINE) == [version, *dates]
     about = json.loads((ROOT / "codemeta.json").read_text(encoding="utf-8"))
     keywords = re.findall(r"^  - ([^:\n]+)$", text, re.MULTILINE)
-    assert (about["version"], about["keywords"]) == (release, keywords)
+    assert (about["version"], about["keywords"]) == (version, keywords)
     page = (ROOT / "docs" / "cite.md").read_text(encoding="utf-8")
-    assert re.findall(r"version = \{(.+)\}", page) == [release]
+    assert re.findall(r"version = \{(.+)\}", page) == [version]
 
 
 def test_version_is_that_of_the_latest_release_or_tells_the_next() -> None:

@@ -12,6 +12,7 @@ from groundslab.model.combinations import as_solved, case_factors, list_combinat
 from groundslab.model.consistency import estimate_elements
 from groundslab.model.model import Model
 from groundslab.model.plan_origin import move_to_center
+from groundslab.schema.issues import require
 from groundslab.solvers import factorization
 from groundslab.solvers.equilibrium import require_equilibrium
 
@@ -42,6 +43,7 @@ def check(model: Model) -> None:
     >>> import groundslab
     >>> groundslab.check(model)
     """
+    require(model, Model, name="model")
     if model.analysis.solver != "auto":
         factorization.choose(model.analysis.solver)
     ground = _discretize(as_solved(move_to_center(model)), loaded=False).ground

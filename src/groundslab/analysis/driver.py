@@ -25,6 +25,7 @@ from groundslab.model.model import Model
 from groundslab.model.plan_origin import move_to_center
 from groundslab.results.record import Step
 from groundslab.results.results import CombinationResult, Results, why_no_start
+from groundslab.schema.issues import require
 from groundslab.solvers import factorization
 
 #: Variants have the mesh of the base case, made for errors of this share of the accuracy, as theirs may be larger.
@@ -91,6 +92,7 @@ def solve(
     >>> results.certificate.holds
     True
     """
+    require(model, Model, name="model")
     results = solve_combinations(model, on_step, on_combination, on_mesh, start)
     if len(results.combinations) == 1:
         for refusal in results.refused.values():

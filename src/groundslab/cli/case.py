@@ -80,9 +80,9 @@ def check_case(options: argparse.Namespace) -> int:
 
     tables = casefile.tables(casefile.read(options.case), options.case)
     if "sampling" in tables:
-        from groundslab import study
+        from groundslab.study import describe_file
 
-        print_stdout("\n".join(study.describe_file(Path(options.case))))
+        print_stdout("\n".join(describe_file(Path(options.case))))
         return EXIT_OK
     model = casefile.from_table(tables, Path(options.case).parent)
     from groundslab.analysis.check import check, find_unbalanced

@@ -53,13 +53,14 @@ def describe_evaluation(evaluate: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Run a study, and say what became of its variants; interrupted or not, rows that are there are kept."""
-    from groundslab import study
+    from groundslab.study import evaluate, resume_hint, study_folder, summarize
+    from groundslab.study import run as run_study
 
-    folder = study.study_folder(options.study, options.out)
+    folder = study_folder(options.study, options.out)
     again = f"groundslab study {options.study}" + (f" --out {options.out}" if options.out is not None else "")
     _end_on_sigterm()
     try:
-        finished = study.run(
+        finished = run_study(
             options.study,
             out=folder,
             workers=options.workers,
@@ -72,17 +73,17 @@ def run(options: argparse.Namespace) -> int:
         raise
     except (KeyboardInterrupt, GroundslabError) as error:
         print_stderr("interrupted" if isinstance(error, KeyboardInterrupt) else f"error: {error}")
-        print_stderr(study.resume_hint(folder, again))
+        print_stderr(resume_hint(folder, again))
         return EXIT_INTERRUPTED if isinstance(error, KeyboardInterrupt) else EXIT_NO_RESULT
-    print_stdout("\n".join(study.summarize(finished)))
+    print_stdout("\n".join(summarize(finished)))
     if len(finished):
         try:
-            print_stdout(f"evaluation: {study.evaluate(finished)[0]}")
+            print_stdout(f"evaluation: {evaluate(finished)[0]}")
         except InputError as error:
             # the rows are there, only a library that evaluates them is not
             print_stderr(format_issues(error))
     if len(finished) < finished.count:
-        print_stderr(study.resume_hint(folder, again))
+        print_stderr(resume_hint(folder, again))
         return EXIT_NO_RESULT
     return EXIT_OK
 

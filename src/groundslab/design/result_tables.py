@@ -29,6 +29,7 @@ from groundslab.design.tables.table import Column, Table, in_units
 from groundslab.model.ground import ContinuousGround
 from groundslab.model.structure.beams import GivenSection
 from groundslab.results.results import Results
+from groundslab.schema.issues import require
 from groundslab.unit_systems import System
 
 __all__ = ["Column", "Table", "fields_of_envelope", "table_makers", "tables_of"]
@@ -71,6 +72,7 @@ def tables_of(combined: Results) -> tuple[Table, ...]:
     >>> tables["extremes"].columns[3].header
     'least'
     """
+    require(combined, Results, name="results")
     return tuple(make() for make in table_makers(combined).values())
 
 

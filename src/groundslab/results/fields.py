@@ -52,6 +52,11 @@ class ResultField:
         """Return label and unit, as in "settlement w [mm]"."""
         return f"{self.label} [{self.unit}]"
 
+    @property
+    def si_name(self) -> str:
+        """Return label and SI unit, as in "settlement w [m]"."""
+        return f"{self.label} [{self.display.si}]" if self.display.si else self.label
+
 
 NOT, OVER_AREA, OVER_LENGTH = "not averaged", "force of a node over its area", "force of a node over its length"
 PATCHES = "recovered by patches within a section"

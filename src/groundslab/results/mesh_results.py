@@ -111,14 +111,25 @@ class PlateResult:
         return PlateResult(elements=numbers.reshape(-1, 9), **nodal)
 
     def point_data(self) -> dict[str, Array]:
-        """Return the nodal fields in units of display, by names such as "settlement w [mm]".
+        """Return the nodal fields in SI units, by names with these, such as "settlement w [m]".
 
         Returns
         -------
         dict of str to array
             The fields (n,), and which nodes are in contact as 1 or 0.
         """
-        data: dict[str, Any] = {about.name: getattr(self, name) * about.scale for name, about in PLATE_FIELDS.items()}
+        data: dict[str, Any] = {about.si_name: getattr(self, name) for name, about in PLATE_FIELDS.items()}
+        return data | self.node_data()
+
+    def node_data(self) -> dict[str, Array]:
+        """Return what is known of the nodes beside their fields, in SI units, by name.
+
+        Returns
+        -------
+        dict of str to array
+            Areas and lengths (n,), and which nodes are in contact as 1 or 0.
+        """
+        data: dict[str, Any] = {}
         data["in contact"] = self.in_contact.astype(np.int8)
         data["area of the node [m2]"] = self.area
         data["area of the node in contact [m2]"] = self.contact_area
@@ -126,7 +137,7 @@ class PlateResult:
         return data
 
     def to_pyvista(self) -> UnstructuredGrid:
-        """Return the plate as a grid of PyVista, with its nodal fields in units of display.
+        """Return the plate as a grid of PyVista, with its nodal fields in SI units.
 
         Returns
         -------

@@ -24,6 +24,7 @@ from groundslab.results.record import (
     SupportResult,
     WallLimit,
 )
+from groundslab.schema.issues import require
 from groundslab.schema.wording import listed, quote
 from groundslab.unit_systems import System, in_system, words_in
 from groundslab.units import format_number
@@ -396,10 +397,13 @@ def why_no_start(results: Results, model: Model) -> str:
     return "" if results.provisional else "results that are not provisional"
 
 
-def results_of(results: CombinationResult) -> Results:
-    """Return the results of one combination as those of all there are."""
+def results_of(results: CombinationResult | Results) -> Results:
+    """Return the results of one combination as those of all there are, and those of all as they are."""
     from groundslab.model.loads.load_cases import Combination
 
+    require(results, Results, CombinationResult, name="results")
+    if isinstance(results, Results):
+        return results
     about = {"name": results.combination, "limit_state": results.limit_state}
     combination = Combination(**about, factors=dict(results.factors) or {"": 1.0})
     holds = results.certificate.holds

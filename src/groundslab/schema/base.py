@@ -8,8 +8,8 @@ from dataclasses import FrozenInstanceError
 from functools import cache, partial
 from typing import TYPE_CHECKING, Any, ClassVar, Self
 
-from groundslab.errors import InputError, Repair
-from groundslab.schema.fields import MOST_ISSUES
+from groundslab.errors import InputError, Issue, Repair
+from groundslab.schema.fields import MOST_ISSUES, as_plain
 from groundslab.schema.issues import FieldError, RelativeIssue
 from groundslab.schema.repairs import remove, rename_key, set_value, use_nearest
 from groundslab.schema.section_fields import Field, SectionType, sections_by_kind, summary_of
@@ -33,8 +33,13 @@ class Section(metaclass=SectionType):
     #: Keys that mean something only where another one has a value: pages offer them there alone.
     only_if: ClassVar[Mapping[tuple[str, str], tuple[str, ...]]] = {}
 
-    def __init__(self, **data: Any) -> None:
+    def __init__(self, *unnamed: Any, **data: Any) -> None:
         """Validate the data; raises InputError with all issues."""
+        if unnamed:
+            name, keys = type(self).__name__, [key for key in type(self).model_fields if key != "kind"]
+            pairs = zip(keys, map(describe, unnamed), strict=False)
+            hint = f"write {name}({', '.join(f'{key}={value}' for key, value in pairs)}), if that is what is meant"
+            raise InputError([Issue(name, f"{len(unnamed)} values without names", "values by name", hint)])
         made = self._read_or_refuse(data, from_file=False)
         vars(self).update(vars(made))
 
@@ -226,7 +231,7 @@ def _dump(value: Any) -> Any:
 
 def _read_field(cls: type[Section], name: str, value: Any, from_file: bool, faults: list[list[RelativeIssue]]) -> Any:
     """Return the value of a field, or add its faults, one with all issues for each value or section that is wrong."""
-    field = cls.model_fields[name]
+    field, value = cls.model_fields[name], as_plain(value)
     if value is None and field.optional:
         return None
     if not field.sections.many:

@@ -60,8 +60,14 @@ class FieldType:
         return self.SCHEMA
 
 
+def as_plain(value: Any) -> Any:
+    """Return an array or a number of NumPy as a list or a number of Python, anything else as it is."""
+    return value.tolist() if type(value).__module__ == "numpy" else value
+
+
 def _number(value: Any, expected: str, hint: str = "") -> float:
     """Return a finite number as float; raises FieldError."""
+    value = as_plain(value)
     if isinstance(value, bool) or not isinstance(value, numbers.Real):
         raise field_error(value, expected, hint)
     size: Any = abs(value)
@@ -292,7 +298,7 @@ def _read_each(
     kept, relative_issues = [], [*issues]
     for place, item in items:
         try:
-            kept.append(each.read(item, from_file))
+            kept.append(each.read(as_plain(item), from_file))
         except FieldError as error:
             relative_issues += [relative.below((place,)) for relative in error.relative_issues]
     if relative_issues:
@@ -320,6 +326,7 @@ class ListOf(FieldType):
 
     def read(self, value: Any, from_file: bool) -> tuple[Any, ...]:
         """Return the values as a tuple."""
+        value = as_plain(value)
         if not isinstance(value, list | tuple) or not (self.length or self.least) <= len(value):
             raise field_error(value, self.expected())
         if len(value) > self._most:

@@ -1,13 +1,14 @@
-"""Issues of a section, before their location in the file is known."""
+"""Issues of a section, before their location in the file is known, and of arguments of another kind."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace
+from pathlib import Path
 
-from groundslab.errors import Issue, Repair
+from groundslab.errors import InputError, Issue, Repair
 from groundslab.schema.repairs import move_below
-from groundslab.schema.wording import describe
+from groundslab.schema.wording import describe, listed, with_article
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,3 +55,30 @@ class FieldError(ValueError):
 def field_error(value: object, expected: str, hint: str = "", repairs: Iterable[Repair] = ()) -> FieldError:
     """Return the error that says what a value should be, and how to repair it where that is known."""
     return FieldError(RelativeIssue((), describe(value), expected, hint, tuple(repairs)))
+
+
+#: How to read what a function needs from a file or folder, by the name of its class.
+_READ = {"Model": "load", "Results": "load_results"}
+_CALLED = {"Results": "Results", "str": "the name of its folder"}
+
+
+def require(value: object, *kinds: type, name: str) -> None:
+    """Raise InputError for an argument of another kind than those named."""
+    if isinstance(value, kinds):
+        return
+    names = [kind.__name__ for kind in kinds if kind is not Path]
+    reader = next((_READ[each] for each in names if each in _READ), None)
+    hint = ""
+    if names == ["Results"] and type(value).__name__ == "CombinationResult":
+        hint = "give the results of all combinations, as groundslab.solve returns them"
+    if reader is not None and isinstance(value, str | Path):
+        hint = f"groundslab.{reader}({describe(str(value))}) reads it"
+    elif type(value).__name__ in ("PlateResult", "ElementResult", "GroundResult"):
+        hint = "it is a part of results: give the results themselves"
+    found = describe(str(value) if isinstance(value, Path) else value)
+    raise InputError([Issue(name, found, listed([_called(each) for each in names]), hint)])
+
+
+def _called(name: str) -> str:
+    """Return a class in words."""
+    return _CALLED.get(name, with_article(name))

@@ -13,10 +13,11 @@ from __future__ import annotations
 
 import sys
 from pathlib import Path
-from types import ModuleType
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import lazy_loader
+
+from groundslab.study.call import CallableModule
 
 if TYPE_CHECKING:
     from groundslab.model.model import Model
@@ -165,11 +166,4 @@ def resume_hint(folder: Path, command: str) -> str:
     return f"{len(study)} of {study.count} rows are kept in {folder}; continue with: {command} --resume"
 
 
-class _Callable(ModuleType):
-    """A module that runs a study when it is called."""
-
-    def __call__(self, *arguments: Any, **options: Any) -> Study:
-        return run(*arguments, **options)
-
-
-sys.modules[__name__].__class__ = _Callable
+sys.modules[__name__].__class__ = CallableModule

@@ -20,9 +20,9 @@ def check_file(path: Path, name: str) -> dict[str, Any]:
     try:
         tables = casefile.tables(casefile.read(path), name)
         if "sampling" in tables:
-            from groundslab import study
+            from groundslab.study import describe_file
 
-            return _begin(name, "fine") | {"kind": "study", "description": study.describe_file(path)}
+            return _begin(name, "fine") | {"kind": "study", "description": describe_file(path)}
         return check_case(casefile.from_table(tables, path.parent), name)
     except InputError as error:
         return refuse_file(error, name)

@@ -38,11 +38,7 @@ def find_subtracted(names: Iterable[str], minus: Subtracted) -> tuple[dict[str, 
 
     It is the combination of the same name, or the only one; combinations without any are left out.
     """
-    others = {
-        entry.combination.name: entry
-        for entry in entries(results_of(minus) if isinstance(minus, CombinationResult) else minus)
-        if entry.results is not None
-    }
+    others = {entry.combination.name: entry for entry in entries(results_of(minus)) if entry.results is not None}
     only = next(iter(others.values())) if len(others) == 1 else None
     found = {name: others.get(name, only) for name in names}
     return {name: other for name, other in found.items() if other is not None}, list(others)

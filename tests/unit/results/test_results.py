@@ -220,14 +220,14 @@ def test_table_for_notebooks() -> None:
 
 @pytest.mark.slow
 def test_plate_as_a_grid_of_pyvista() -> None:
-    """Cells, points and fields are the plate's, in units of display."""
+    """Cells, points and fields are the plate's, in SI units."""
     pytest.importorskip("pyvista", reason="PyVista, the extra viz, is not installed")
     plate = synthetic.results().plate
     grid = plate.to_pyvista()
     assert (grid.n_points, grid.n_cells) == (len(plate.nodes), len(plate.elements))
     np.testing.assert_array_equal(grid.points[:, :2], plate.nodes)
     np.testing.assert_array_equal(grid.get_cell(1).point_ids, plate.elements[1])
-    np.testing.assert_allclose(grid.point_data["settlement w [mm]"], 1e3 * plate.settlement)
+    np.testing.assert_allclose(grid.point_data["settlement w [m]"], plate.settlement)
 
 
 def test_without_pyvista(monkeypatch: pytest.MonkeyPatch) -> None:

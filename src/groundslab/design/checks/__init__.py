@@ -18,6 +18,7 @@ from groundslab.design.floors import checks as floors
 from groundslab.design.floors import dowel_checks
 from groundslab.model.remarks.remarks import find_remarks
 from groundslab.results.results import Results
+from groundslab.schema.issues import require
 
 __all__ = ["CHECKS", "Design", "DesignCheck", "Status", "check_design"]
 
@@ -111,6 +112,7 @@ def check_design(combined: Results) -> Design:
     >>> groundslab.check_design(results).headline
     'Strength was not checked: the case has no [reinforcement].'
     """
+    require(combined, Results, name="results")
     return _DESIGNS.get(combined, None, lambda: _check_design(combined))
 
 

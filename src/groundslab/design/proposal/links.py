@@ -9,6 +9,7 @@ from groundslab.model.design.detailing import allowed_bars
 from groundslab.model.design.laid_bars import axis_of
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.results import Results
+from groundslab.schema.issues import require
 
 
 @made_once
@@ -39,6 +40,7 @@ def punching_links(combined: Results) -> tuple[LinkLayout, ...]:
     >>> for layout in groundslab.punching_links(groundslab.solve(groundslab.load("case.toml"))):
     ...     print(layout.name, layout.number, layout.diameter)
     """
+    require(combined, Results, name="results")
     steel = combined.model.reinforcement
     rule = code_of(steel).punching if steel is not None else None
     if steel is None or rule is None or rule.links is None:

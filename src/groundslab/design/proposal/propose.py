@@ -29,6 +29,7 @@ from groundslab.model.model import Model
 from groundslab.model.plates.region import get_plate_region
 from groundslab.results.fields import LAYERS, place_of
 from groundslab.results.results import CombinationResult, Results
+from groundslab.schema.issues import require
 
 #: Proposals one after the other, as bars lie deeper than was counted on.
 MOST_ROUNDS = 10
@@ -103,6 +104,7 @@ def propose_bars(results: Results) -> BarProposal:
     >>> proposal = groundslab.propose_bars(groundslab.solve(groundslab.load("case.toml")))
     >>> groundslab.write_bars(proposal.model, "bars.dxf")
     """
+    require(results, Results, name="results")
     steel, code = _steel_and_code(results)
     rule = code.detailing
     assert rule is not None

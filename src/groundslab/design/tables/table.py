@@ -92,9 +92,14 @@ class Table:
         return "".join(map(_line, [header, *rows]))
 
     def frame(self) -> pd.DataFrame:
-        """Return the table as a pandas.DataFrame with all digits; its columns are called by name and unit."""
+        """Return the table as a pandas.DataFrame with all digits, in the units of the table, which are not SI.
+
+        Its columns are called by name and unit, as in "settlement [mm]"; `attrs["units"]` has the unit of each.
+        """
         pd = import_optional("pandas", "which makes a DataFrame of a table", "tables", ".csv() does without it")
-        return pd.DataFrame({column.header: pd.Series(_alike(column.values)) for column in self.columns})
+        frame = pd.DataFrame({column.header: pd.Series(_alike(column.values)) for column in self.columns})
+        frame.attrs["units"] = {column.header: column.unit for column in self.columns}
+        return frame
 
 
 def table_of(

@@ -175,9 +175,9 @@ def reliability(study: Study | str | Path, limit_state: str = "") -> Reliability
     1.72
     """
     from groundslab.study.evaluation import tables as evaluation
-    from groundslab.study.evaluation.study import Study
+    from groundslab.study.evaluation.study import as_study
 
-    study = study if isinstance(study, Study) else Study(study)
+    study = as_study(study)
     setup = study.setup
     limit = _limit(setup, limit_state)
     point = design_point(margin_of(setup, limit), setup.correlation)

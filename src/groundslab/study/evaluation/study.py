@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from groundslab.errors import InputError, Issue
 from groundslab.optional import import_optional
+from groundslab.schema.issues import require
 from groundslab.schema.wording import one_of, suggestion
 from groundslab.study.definition.setup import column_units
 from groundslab.study.evaluation.field_maps import moments
@@ -314,6 +315,12 @@ class Study:
             return of[0]
         expected = one_of(names) if names else 'a study that keeps a field with take = "everywhere"'
         raise InputError([Issue("field", f'"{name}"', expected, suggestion(name, names))])
+
+
+def as_study(study: Study | str | Path) -> Study:
+    """Return a study, opened if it is named by its folder."""
+    require(study, Study, str, Path, name="study")
+    return study if isinstance(study, Study) else Study(study)
 
 
 def open_study(folder: str | Path) -> Study:

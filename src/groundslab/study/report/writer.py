@@ -29,13 +29,15 @@ CHECKSUMS, LARGEST = "checksums.json", 1_000_000
 NAMES = frozenset({PAGE, CHECKSUMS} | {f"{name}.csv" for name in (*evaluation.NAMES, "reliability", "design_points")})
 
 
-def evaluate(study: Study, reliability: Sequence[Reliability] = (), level: float = LEVEL) -> tuple[Path, ...]:
+def evaluate(
+    study: Study | str | Path, reliability: Sequence[Reliability] = (), level: float = LEVEL
+) -> tuple[Path, ...]:
     """Write the report and the tables of a study into its folder `evaluation`.
 
     Parameters
     ----------
-    study : Study
-        A study with at least one row.
+    study : Study or str or Path
+        A study with at least one row, or its folder.
     reliability : sequence of Reliability, optional
         First-order reliability of limit states, which the report and two tables then show.
     level : float, default 0.95
@@ -57,7 +59,9 @@ def evaluate(study: Study, reliability: Sequence[Reliability] = (), level: float
     kept in `evaluation-edited` beside it, with a warning (EditedFilesKept).
     """
     from groundslab.study.evaluation import form
+    from groundslab.study.evaluation.study import as_study
 
+    study = as_study(study)
     folder = check(study)
     sample = read_samples(study)
     if len(sample.number) == 0:

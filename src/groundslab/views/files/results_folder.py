@@ -75,7 +75,7 @@ def save_results(results: CombinationResult | Results, folder: str | Path, *, pl
     ['ground.vtu', 'plate.vtu']
     """
     target = check(folder)
-    combined = results if isinstance(results, Results) else results_of(results)
+    combined = results_of(results)
     try:
         fill = partial(_fill, combined, plot=plot)
         atomic.write_folder(target, fill, manifest.is_path, partial(_make_way, target))

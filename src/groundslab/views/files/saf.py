@@ -48,7 +48,7 @@ def write_saf(case: Model | CombinationResult | Results, path: str | Path) -> tu
     """
     if isinstance(case, Model):
         return write_model(case, path)
-    results = case if isinstance(case, Results) else results_of(case)
+    results = results_of(case)
     forces = [along for each in results.values() for along in _edge_forces(each)]
     pairs = [
         (each.constants.k0[0], each.constants.k1[0])

@@ -92,7 +92,7 @@ def plate_mesh(results: CombinationResult) -> Grid:
     """Return the plate with its fields at nodes and elements in units of display, and flags (1 or 0) of the nodes."""
     plate = results.plate
     fields, shown = derive_fields(fields_of(plate)), RANGED_FIELDS | POINT_FIELDS
-    data = {about.name: fields[name] * about.scale for name, about in shown.items()} | plate.point_data()
+    data = {about.name: fields[name] * about.scale for name, about in shown.items()} | plate.node_data()
     cells = {
         f"{about.name} (centre, {about.averaged})": getattr(results.elements, name) * about.scale
         for name, about in ELEMENT_FIELDS.items()

@@ -60,7 +60,7 @@ def write_workbook(results: CombinationResult | Results, path: str | Path) -> Pa
     >>> path = groundslab.write_workbook(results, "tables.xlsx")
     """
     target = check(path)
-    combined = results if isinstance(results, Results) else results_of(results)
+    combined = results_of(results)
     content = io.BytesIO()
     with _workbook(content) as book:
         book.set_properties({"title": combined.model.title, "comments": f"{MARK} {__version__}", "created": CREATED})

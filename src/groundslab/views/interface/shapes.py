@@ -219,6 +219,14 @@ class SolvedCombination(Figures):
     certificate: NotRequired[Section]
 
 
+class Environment(TypedDict):
+    """What wrote the results: versions of Python, NumPy, SciPy and MKL, threads of the solver, commit where known."""
+
+    versions: dict[str, str]
+    threads: int
+    commit: NotRequired[str]
+
+
 class Summary(Header, Figures):
     """The summary of results: `groundslab solve --json`, and summary.json in a folder of results.
 
@@ -226,6 +234,7 @@ class Summary(Header, Figures):
     those of each, `extremes` and `certificate` what governs.
     """
 
+    environment: NotRequired[Environment]
     title: str
     certified: bool
     provisional: bool

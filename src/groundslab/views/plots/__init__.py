@@ -77,7 +77,7 @@ def plot(
     from groundslab.views.plots.panels import subtract
     from groundslab.views.plots.request import parse_request
 
-    combined = results_of(results) if isinstance(results, CombinationResult) else results
+    combined = results_of(results)
     request = parse_request(combined, fields, kind, combination, envelope, line, mesh)
     return _drawn(request if minus is None else subtract(request, minus), to)
 

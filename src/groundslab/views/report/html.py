@@ -71,7 +71,7 @@ def render_report(
     first page has the remark, such as that the case has changed since. `told` is called before each chapter with its
     title and the share that is made.
     """
-    combined = results if isinstance(results, Results) else results_of(results)
+    combined = results_of(results)
     from markupsafe import Markup
 
     page = build_page(combined, text, file, chapters, comparison, told)

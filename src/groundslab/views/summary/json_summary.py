@@ -19,6 +19,7 @@ from groundslab._version import __version__
 from groundslab.errors import NotConverged
 from groundslab.units import UNITS, Unit
 from groundslab.views.summary import combinations, sections
+from groundslab.views.summary.environment import environment
 
 if TYPE_CHECKING:
     from groundslab.design.checks import DesignCheck
@@ -48,6 +49,7 @@ def to_json(combined: Results, folders: Mapping[str, str] | None = None, files: 
     entries = combinations.entries(combined)
     combinations.require_finite(combined)
     document: dict[str, Any] = header() | {
+        "environment": environment(combined.model),
         "title": combined.model.title,
         "certified": not combined.refused,
         "provisional": combined.provisional,
