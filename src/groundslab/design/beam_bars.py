@@ -14,7 +14,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from groundslab.arrays import Array, Flags, Integers
+from groundslab.arrays import Array, Flags, Integers, Memo
 from groundslab.design.basis.bending_steps import BarsNeeded
 from groundslab.design.basis.combinations import ultimate_results
 from groundslab.design.basis.design_code import TensionZone
@@ -98,8 +98,17 @@ class _Section:
         return TensionZone(self.d[face], inertia / (y if of_flange else h - y), mean, b, width)
 
 
+#: Needs of beams, which checks, tables and calculations ask for.
+_NEEDS: Memo[list[BeamNeed]] = Memo()
+
+
 def beam_needs(combined: Results, steel: Reinforcement) -> list[BeamNeed]:
     """Return what each beam of concrete needs, of all ultimate combinations the most."""
+    return _NEEDS.get(combined, steel, lambda: _all_needs(combined, steel))
+
+
+def _all_needs(combined: Results, steel: Reinforcement) -> list[BeamNeed]:
+    """Return the needs, which are found once of the same results."""
     found: list[BeamNeed] = []
     for number, beam in enumerate(combined.model.beams):
         if isinstance(beam.section, GivenSection):

@@ -114,10 +114,14 @@ def shear_forces(own: BeamResult, part: BeamResult, faces: list[Faces], d: float
             inside = (away * (part.way - middle) >= -near) & (away * (part.way - at) < -near)
             outside = inside & (away * (part.way - face) > near)
             alone = raw[outside].max(initial=0.0) <= (1 + SLACK) * V_face
-            here = inside | (np.abs(part.way - at) <= near)
+            # the place at d, or the one nearest to it, has what is told there
+            here = inside.copy()
+            here[np.argmin(np.abs(part.way - at))] = True
             struts[here] = np.maximum(struts[here], V_face)
             if each.direct and alone:
                 links[inside] = np.minimum(links[inside], V)
+                links[here & ~inside] = np.maximum(links[here & ~inside], V)
+                links[outside] = V
             else:
                 links[here] = np.maximum(links[here], V_face)
     return links, struts

@@ -103,3 +103,15 @@ def test_supports_closer_than_d_leave_shear_forces_as_they_are() -> None:
     where = [Faces(0.0, 0.0, direct=False), Faces(3.8, 4.2, direct=True), Faces(4.6, 5.0, direct=True),
              Faces(L, L, direct=False)]  # fmt: skip
     assert counted(V, way, where) == pytest.approx((100e3, 100e3))
+
+
+def test_few_places_lose_nothing() -> None:
+    """On places a meter apart, none between face and d, links have what is at d and struts what is at the face."""
+    way = np.repeat(np.linspace(0.0, L, 9), 2)[1:-1]
+    V = -100e3 * way + 800e3 * (way > 4.0)
+    V[8] = 400e3
+    own = line(V, way)
+    part = own.at(np.array([0.5, 2.0, 3.0, 5.0, 6.0, 7.5]))
+    links, struts = shear_forces(own, part, [Faces(3.8, 4.2, direct=True)], 0.5)
+    assert links.max() == pytest.approx(330e3)
+    assert struts.max() == pytest.approx(380e3)
