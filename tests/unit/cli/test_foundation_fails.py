@@ -193,6 +193,14 @@ def test_a_foundation_that_stands(case: Path) -> None:
     assert solved(case, PAD + combinations(("ULS", "ultimate", 0.74))) == 0
 
 
+def test_a_check_that_is_not_judged_is_no_success_alone(case: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Without the soil's strength sliding is not judged: exit code 0, as nothing fails, and the first line tells it."""
+    text = PAD.replace('"variable"', '"variable", H_x = "60 kN"')
+    assert solved(case, text + combinations(("ULS", "ultimate", 0.5))) == 0
+    first = " ".join(capsys.readouterr().out.splitlines()[:2])
+    assert first.startswith("DESIGN NEEDS ATTENTION: 1 of 1 check needs it. Not judged: 1 of 1 (sliding).")
+
+
 def test_check_says_it_before_anything_is_solved(case: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """Groundslab check ends with 3 as well, and names each combination that nothing balances; 0 if there is none."""
     case.write_text(WIND, encoding="utf-8")

@@ -11,6 +11,8 @@ from groundslab.arrays import Array, made_once
 
 #: Places [m] and directions closer than this are the same.
 SAME = 1e-6
+#: A part of a perimeter that turns by no more cuts a strip [degrees].
+STRIP = 90.0
 #: How a perimeter runs, by the angle in degrees that it turns at least.
 Shape = Literal["closed", "edge", "corner", "cut"]
 TURNED: Mapping[Shape, float] = {"closed": 225.0, "edge": 135.0, "corner": 45.0, "cut": -1.0}
@@ -97,14 +99,23 @@ def shape_of(legs: Array) -> Shape:
     It is told by the angle that it turns: all around the column, half around at an edge, a quarter at a corner. One
     that hardly turns cuts the slab from edge to edge, which is one-way shear and no punching.
     """
-    turned = 0.0
-    for chain in chains(legs):
-        steps = np.diff(chain, axis=0)
-        if (chain[0] == chain[-1]).all():
-            steps = np.vstack([steps, steps[:1]])
-        angles = np.unwrap(np.arctan2(steps[:, 1], steps[:, 0]))
-        turned += abs(float(np.degrees(angles[-1] - angles[0])))
+    turned = sum(map(_turn, chains(legs)))
     return next(name for name, least in TURNED.items() if turned > least)
+
+
+def cuts_strips(legs: Array) -> bool:
+    """Return whether a perimeter of legs (l, 2, 2) consists of several parts, each of which cuts from edge to edge."""
+    parts = chains(legs)
+    return len(parts) > 1 and all(_turn(part) <= STRIP for part in parts)
+
+
+def _turn(chain: Array) -> float:
+    """Return by what angle places (k, 2) along a connected part turn [degrees]."""
+    steps = np.diff(chain, axis=0)
+    if (chain[0] == chain[-1]).all():
+        steps = np.vstack([steps, steps[:1]])
+    angles = np.unwrap(np.arctan2(steps[:, 1], steps[:, 0]))
+    return abs(float(np.degrees(angles[-1] - angles[0])))
 
 
 def course(legs: Array, axes: Array) -> Course:

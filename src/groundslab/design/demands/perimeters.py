@@ -9,14 +9,14 @@ and second moments (`line_properties`) are those of the legs that are left, not 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import combinations, pairwise
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
 import numpy as np
 
 from groundslab.arrays import Array, Integers, Memo
-from groundslab.design.demands.line_properties import chains, shape_of, total_length
+from groundslab.design.demands.line_properties import chains, cuts_strips, shape_of, total_length
 from groundslab.errors import InputError, Issue
 from groundslab.fem.mesh import sides_on_boundary
 from groundslab.fem.shape_functions import lagrange
@@ -37,6 +37,8 @@ SIDE_CHORDS = 16
 NEAREST_EDGES = 3
 #: Tangents to an opening are followed so many times as far as the place reaches that is looked at.
 FAR = 4.0
+#: Over how far openings count it is looked whether they leave strips; by EN 1992-1-1 that is 2 d of 6 d.
+STRIPS = 1 / 3
 #: An opening's shadow is drawn in steps of this angle [rad] at most.
 SHADOW_STEP = np.pi / 4
 
@@ -125,11 +127,12 @@ class Surroundings:
     axes: Array  # (2, 2): unit vectors of the footprint's own axes
     plan: Polygon | MultiPolygon  # the plate, within reach
     boundary: BaseGeometry  # of the plate, its openings' too, within reach
-    filled: Polygon | MultiPolygon  # the same without openings
-    rim: BaseGeometry  # of the plate without openings, within reach
+    filled: Polygon | MultiPolygon  # the same without openings, but for those that leave strips
+    rim: BaseGeometry  # of that, within reach
     edges: tuple[NearEdge, ...]  # the nearest ones first
     shadow: BaseGeometry  # the part of the plan behind openings, seen from the center
     rounding: float  # places closer than this are one [m]
+    strips: bool = False  # whether openings and edges leave strips of the plate
 
 
 @dataclass(frozen=True, slots=True)
@@ -143,6 +146,7 @@ class Perimeter:
     opened: bool  # whether an opening is near enough to take off a part of it
     setbacks: tuple[float, ...]  # of the edges that it runs straight out to [m]
     loaded: Polygon  # the footprint, stretched over these edges
+    cut: bool = False  # whether it cuts the plate from edge to edge, which is one-way shear
 
     @property
     def u(self) -> float:
@@ -207,7 +211,7 @@ def surroundings(plate: PlateResult, column: Footprint, within: float, openings:
     prepare(boundary)
     prepare(rim)
     center = get_coordinates(footprint.centroid)[0]
-    return Surroundings(
+    around = Surroundings(
         footprint=footprint,
         center=center,
         axes=column.axes,
@@ -219,6 +223,30 @@ def surroundings(plate: PlateResult, column: Footprint, within: float, openings:
         shadow=shadow_of(plan, footprint, center, openings, FAR * reach),
         rounding=rounding,
     )
+    region = footprint.buffer(max(within, STRIPS * openings.reach), quad_segs=QUARTER_CHORDS)
+    if around.shadow.is_empty or not cuts_strips(_cut_off(around, region)[1]):
+        return around
+    return _with_strips(around, plan, region, openings)
+
+
+def _with_strips(
+    around: Surroundings, plan: Polygon | MultiPolygon, region: Polygon, openings: Openings
+) -> Surroundings:
+    """Return the plate around with the openings that leave strips as edges of it.
+
+    They are those that go on beyond a region; what lies between them and other edges is cut, and needs no tangents.
+    """
+    from shapely import Polygon, difference, get_parts, intersection, prepare, union_all
+
+    holes = [Polygon(hole) for part in get_parts(plan) for hole in part.interiors]
+    whole = union_all([Polygon(polygon.exterior) for polygon in get_parts(plan)])
+    within, beyond = (union_all([hole for hole in holes if region.covers(hole) == near]) for near in (True, False))
+    filled, part = difference(whole, beyond), around.plan.envelope
+    rim = intersection(filled.boundary, part)
+    prepare(rim)
+    far = FAR * float(np.ptp(np.reshape(part.bounds, (2, 2)), axis=0).max())
+    shadow = shadow_of(difference(whole, within), around.footprint, around.center, openings, far)
+    return replace(around, filled=intersection(filled, part), rim=rim, shadow=shadow, strips=True)
 
 
 def perimeter_at(
@@ -250,10 +278,12 @@ def perimeter_at(
     ways = [_cut_off(around, region) for region in regions]
     lengths = [total_length(way) for _, way in ways]
     shortest = int(np.argmin(lengths))
-    if _is_cut(ways[shortest][1]):
+    cut = _is_cut(around, regions[shortest], ways[shortest][1])
+    if cut:
         near_ones = [i for i, (edges, _) in enumerate(stretched) if all(_is_nearer(around, edge) for edge in edges)]
-        around_it = (i for i in near_ones if not _is_cut(ways[i][1]) and _is_in_one(around, regions[i]))
+        around_it = [i for i in near_ones if _goes_around(around, regions[i], ways[i][1])]
         shortest = min(around_it, key=lengths.__getitem__, default=shortest)
+        cut = not around_it
     inside, whole = ways[shortest]
     opened = not around.shadow.is_empty
     ring = _cut_off(around, regions[shortest], filled=True)[1] if opened else whole
@@ -263,12 +293,19 @@ def perimeter_at(
         expected = f"some plate at {distance:g} m from it"
         raise InputError([Issue("column", where, expected, "take a smaller distance")])
     setbacks = tuple(edge.setback for edge in stretched[shortest][0])
-    return Perimeter(legs, whole, ring, inside, opened, setbacks, stretched[shortest][1])
+    return Perimeter(legs, whole, ring, inside, opened, setbacks, stretched[shortest][1], cut)
 
 
-def _is_cut(way: Array) -> bool:
-    """Return whether legs (l, 2, 2) cut the plate from edge to edge; none at all do not."""
-    return len(way) > 0 and shape_of(way) == "cut"
+def _is_cut(around: Surroundings, region: Polygon, way: Array) -> bool:
+    """Return whether legs (l, 2, 2) around a region cut the plate from edge to edge, or strips; none at all do not."""
+    if len(way) == 0:
+        return False
+    return shape_of(way) == "cut" or (around.strips and not _is_in_one(around, region))
+
+
+def _goes_around(around: Surroundings, region: Polygon, way: Array) -> bool:
+    """Return whether legs (l, 2, 2) around a region are in one piece and do not cut the plate."""
+    return not _is_cut(around, region, way) and _is_in_one(around, region)
 
 
 def _is_in_one(around: Surroundings, region: Polygon) -> bool:

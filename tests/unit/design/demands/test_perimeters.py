@@ -135,6 +135,39 @@ def test_cut_off_at_an_opening() -> None:
     assert u(column, distance, plate) == pytest.approx(2 * np.pi - 2 * angle, rel=CHORDS)
 
 
+def test_openings_that_leave_strips_are_edges() -> None:
+    """At the corner of a frame, or between long shafts, perimeters at 2 d cut strips; nearer ones lose no shadow.
+
+    Between the shafts they run all around; at the corner, 0.2 m from two edges and the opening, out to both edges.
+    """
+    d = 0.5
+    frame = plate_of(without(straight(44, 34, 8.8, 6.8), (0.8, 8.0), (0.8, 6.0)))
+    corner = RectangularColumn(0.4, 0.4, 0.4, 0.4)
+    near, far = (perimeter(frame, corner, a, Openings(6 * d, widened=True)) for a in (0.25, 2 * d))
+    assert (near.cut, near.u) == (False, pytest.approx(2 * 0.6 + np.pi / 2 * 0.25, rel=CHORDS))
+    assert far.cut
+    shafts = without(without(straight(40, 40, 8.0, 8.0), (2.6, 3.4), (1.0, 7.0)), (4.6, 5.4), (1.0, 7.0))
+    between = RectangularColumn(4.0, 4.0, 0.4, 0.4)
+    near, far = (perimeter(plate_of(shafts), between, a, Openings(6 * d, widened=True)) for a in (0.25, 2 * d))
+    assert (near.cut, near.u) == (False, pytest.approx(1.6 + 2 * np.pi * 0.25, rel=CHORDS))
+    assert far.cut
+
+
+def test_openings_that_leave_no_strips_take_off_their_shadow() -> None:
+    """Between short shafts a perimeter at 2 d passes their ends, and loses what lies between the tangents to both."""
+    d = 0.5
+    shafts = without(without(straight(40, 40, 8.0, 8.0), (2.6, 3.4), (3.6, 4.4)), (4.6, 5.4), (3.6, 4.4))
+    between = RectangularColumn(4.0, 4.0, 0.4, 0.4)
+    near, far = (perimeter(plate_of(shafts), between, a, Openings(6 * d)) for a in (0.25, 2 * d))
+    assert not near.cut
+    assert not far.cut
+    # tangents at y / x = 0.4 / 0.6 cut the arcs about the column's corners where 0.2 + a sin = (0.2 + a cos) 2 / 3
+    for line, a in ((near, 0.25), (far, 1.0)):
+        tangent = np.arctan(2 / 3)
+        angle = tangent - np.arcsin(0.2 / 3 / a * np.cos(tangent))
+        assert line.u == pytest.approx(2 * (0.4 + 2 * a * (np.pi / 2 - angle)), rel=CHORDS)
+
+
 @pytest.mark.slow
 def test_the_shadow_of_an_opening() -> None:
     """Within six depths of the column, what lies between the tangents to an opening does not count (Figure 6.14)."""

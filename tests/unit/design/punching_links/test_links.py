@@ -15,6 +15,7 @@ from groundslab.design.aci318.checks import links as aci318_links
 from groundslab.design.aci318.checks.two_way_demand import two_way
 from groundslab.design.checks import check_design
 from groundslab.design.en1992.checks import links as en1992_links
+from groundslab.design.en1992.checks import punching_demand
 from groundslab.design.en1992.checks.governing_perimeters import demands
 from groundslab.design.en1992.checks.punching_demand import Demand
 from groundslab.design.proposal.links import punching_links
@@ -281,6 +282,29 @@ def test_links_that_would_never_end_are_refused(monkeypatch: pytest.MonkeyPatch)
     assert "would go on beyond" in punching_links(solve(raft(1700e3, ACI)))[0].why
     monkeypatch.setattr(en1992_links, "FARTHEST", 0.5)
     assert "would go on beyond" in punching_links(solve(raft(1500e3)))[0].why
+
+
+def test_no_links_are_told_that_cannot_be_built(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Where links would end nowhere, neither the check nor its calculation has their area, number or distance."""
+    monkeypatch.setattr(punching_demand, "FARTHEST", 0.5)
+    results = solve(raft(1510e3))
+    (check,) = [each for each in check_design(results).checks if each.name == "punching within 2 d"]
+    assert check.status == "attention"
+    assert check.words.endswith("; links would go on beyond 10 d from the face, as perimeters hardly grow outwards")
+    assert "cm2" not in check.words
+    assert not {"A_sw", "n_L", "a_out"} & symbols(results)
+
+
+def symbols(results: Results) -> set[Any]:
+    """Return the symbols of the calculations of a case."""
+    (steps,) = [table for table in tables_of(results) if table.name == "calculations"]
+    return set(steps["symbol"])
+
+
+def test_no_links_are_told_that_do_not_suffice() -> None:
+    """Above 1.5 v_Rd,c the calculation ends with that; below it has area, number and distance."""
+    assert {"A_sw", "n_L", "a_out"} <= symbols(solve(raft(1500e3)))
+    assert not {"A_sw", "n_L", "a_out"} & symbols(solve(raft(4000e3)))
 
 
 def test_column_at_a_corner_by_en1992() -> None:

@@ -136,9 +136,9 @@ def section_at(
         line = perimeter(plate, footprint, distance, openings, square=square, near=punching.edges_within(d))
     except InputError as error:
         return str(error)
-    shape = line_properties.shape_of(line.whole)
-    if shape == "cut":
+    if line.cut:
         return CUT
+    shape = line_properties.shape_of(line.whole)
     column = punching.column
     sides = column.width_x or 1.0, column.width_y or 1.0  # a round column has none, and beta = 1
     reach = perimeter_loads.reach_of(line, distance)

@@ -131,7 +131,7 @@ class _Site:
             line = perimeter_at(self.around, distance)
         except InputError as error:
             return str(error)
-        if distance > 0 and line_properties.shape_of(line.whole) == "cut":
+        if distance > 0 and line.cut:
             return CUT
         return BEYOND if self._leaves_zone(line, distance) else line
 

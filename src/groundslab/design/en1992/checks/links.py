@@ -44,8 +44,8 @@ from groundslab.design.demands.zones.thicker_zones import zone_forces
 from groundslab.design.en1992 import punching as en1992
 from groundslab.design.en1992.case_materials import materials
 from groundslab.design.en1992.checks.governing_perimeters import demands, pile_demands, zone_demands
-from groundslab.design.en1992.checks.punching import LAST_LINKS, limited_with_links
-from groundslab.design.en1992.checks.punching_demand import REACH, Demand, Demands, Stress, outer
+from groundslab.design.en1992.checks.punching import limited_with_links
+from groundslab.design.en1992.checks.punching_demand import FARTHEST, REACH, TOO_FAR, Demand, Demands, Stress, outer
 from groundslab.design.en1992.checks.wall_ends import at_ends, wall_demands
 from groundslab.design.en1992.perimeters import openings
 from groundslab.design.punching_links.demand import (
@@ -74,8 +74,6 @@ CROSSED = 1.5
 LEAST_ROWS = 2
 #: A slab with links is at least so thick [m] (9.3.2(1)).
 LEAST_THICKNESS = 0.2
-#: No perimeter is farther from the face than this over the effective depth.
-FARTHEST = 10.0
 CLAUSES = "EN 1992-1-1 6.4.5, 9.4.3"
 
 
@@ -164,7 +162,7 @@ def _required(steel: Reinforcement, found: list[Demand]) -> _Required | None:
         return None
     needs = {demand.combination: _needs(steel, demand, needing) for demand, needing in some}
     combination = max(needs, key=lambda name: max(area for area, _ in needs[name]))
-    last = max(outer(demand).distance - LAST_LINKS * demand.d for demand, _ in some)
+    last = max(outer(demand).last_links(demand.d) for demand, _ in some)
     return _Required(combination, tuple(chain.from_iterable(needs.values())), last)
 
 
@@ -205,9 +203,7 @@ def _refused(steel: Reinforcement, found: list[Demand], thickness: float, *, at_
 
 def _too_far(required: _Required, d: float) -> str:
     """Return why links cannot end anywhere, as perimeters hardly grow outwards; empty if they can."""
-    if required.last <= FARTHEST * d:
-        return ""
-    return f"links would go on beyond {FARTHEST:g} d from the face, as perimeters hardly grow outwards"
+    return TOO_FAR if required.last > FARTHEST * d else ""
 
 
 def _options(steel: Reinforcement, required: _Required, d: float) -> Callable[[float], Iterator[tuple[LinkRow, ...]]]:

@@ -17,13 +17,11 @@ from groundslab.design.en1992 import punching as en1992
 from groundslab.design.en1992.annex import Annex
 from groundslab.design.en1992.case_materials import materials
 from groundslab.design.en1992.checks.governing_perimeters import CUT, demands, pile_demands, zone_demands
-from groundslab.design.en1992.checks.punching_demand import Demand, Demands, Stress, outer
+from groundslab.design.en1992.checks.punching_demand import LAST_LINKS, TOO_FAR, Demand, Demands, Stress, outer
 from groundslab.design.en1992.checks.wall_ends import wall_demands
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.results import Results
 
-#: How far inside the outer perimeter the outermost links are at most, over the effective depth (6.4.5(4)).
-LAST_LINKS = 1.5
 #: How many perimeters of links there are at least (9.4.3(1)).
 LEAST_PERIMETERS = 2
 
@@ -157,6 +155,8 @@ def _judged_within_2d(
     if not needing:
         return without if steel.laid else _without_bars(steel, without, there)
     worst = max(needing, key=_share)
+    if outer(worst.demand).is_too_far(worst.demand.d):
+        return replace(without, words=f"punching reinforcement is needed at {without.words}; {TOO_FAR}")
     links, reach = _links(steel, worst), _outer(worst.demand, names)
     return replace(without, words=f"punching reinforcement is needed at {without.words}; {links}, {reach}")
 

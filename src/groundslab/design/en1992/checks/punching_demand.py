@@ -19,6 +19,11 @@ REACH = 2.0
 SAME_DISTANCE = 1e-2
 #: Perimeters that do not grow with their distance are taken to do so by this, so that none is infinitely far.
 LEAST_GROWTH = 1e-3
+#: How far inside the outer perimeter the outermost links are at most, over the effective depth (6.4.5(4)).
+LAST_LINKS = 1.5
+#: No links are farther from the face than this over the effective depth.
+FARTHEST = 10.0
+TOO_FAR = f"links would go on beyond {FARTHEST:g} d from the face, as perimeters hardly grow outwards"
 #: Lengths that differ by a smaller share are the same.
 ROUNDING = 1e-9
 
@@ -105,6 +110,14 @@ class Outer(NamedTuple):
     last: Stress | None = None  # the outermost perimeter that is followed where u is by 6.54, beyond it
     inner: Stress | None = None  # the one before it, if there is one
     grows: float = 0.0  # by how much perimeters are longer there, over their distance
+
+    def last_links(self, d: float) -> float:
+        """Return how far from the face the outermost links are at least, for an effective depth d [m]."""
+        return self.distance - LAST_LINKS * d
+
+    def is_too_far(self, d: float) -> bool:
+        """Return whether links cannot end anywhere, as perimeters hardly grow outwards, as on strips."""
+        return self.last_links(d) > FARTHEST * d
 
 
 def outer(demand: Demand) -> Outer:

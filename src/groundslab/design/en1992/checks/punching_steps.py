@@ -14,8 +14,9 @@ from groundslab.design.en1992 import punching as en1992
 from groundslab.design.en1992.annex import Annex
 from groundslab.design.en1992.case_materials import materials
 from groundslab.design.en1992.checks.governing_perimeters import demands, pile_demands, zone_demands
-from groundslab.design.en1992.checks.punching import LAST_LINKS, LEAST_PERIMETERS
+from groundslab.design.en1992.checks.punching import LEAST_PERIMETERS, limited_with_links
 from groundslab.design.en1992.checks.punching_demand import (
+    LAST_LINKS,
     LEAST_GROWTH,
     REACH,
     ControlPerimeter,
@@ -150,11 +151,14 @@ def _resistance(demand: Demand, stress: Stress, concrete: Concrete) -> Iterator[
 
 
 def _with_links(demand: Demand, stress: Stress, concrete: Concrete, bars: Steel) -> Iterator[Step]:
-    """Yield the most that links can carry, the links on each perimeter, and how far out they are."""
+    """Yield the most that links can carry, the links on each perimeter, and how far out they are, if they help."""
     most = concrete.annex.k_max
     v_m = most * demand.resistance(stress) / MEGA
     yield Step("largest resistance with links", "v_Rd,m", v_m, "MPa", f"{most:g} * v_Rd", "6.4.5(1)")
     yield Step("share of it that is used", "eta_m", stress.v_Ed / MEGA / v_m, "", "v_Ed / v_Rd,m", "6.4.5(1)")
+    limited = limited_with_links(demand, concrete.annex, at_face=demand.face is not None)
+    if outer(demand).is_too_far(demand.d) or any(each.share > 1 for each in limited):
+        return
     f = en1992.effective_strength(demand.d, bars.f_yd)
     yield Step("strength of links", "f_ywd", bars.f_yd / MEGA, "MPa", clause="3.2.7(2)")
     formula = en1992.FORMULAS["f_ywd,ef"]
@@ -186,7 +190,7 @@ def _reach(demand: Demand, annex: Annex) -> Iterator[Step]:
         yield Step("its length", "u_out", beyond.u, "m", clause="6.4.5(4)")
     else:
         yield from _beyond(beyond, beyond.last)
-    last = beyond.distance - LAST_LINKS * d
+    last = beyond.last_links(d)
     words = "distance of the outermost links from the face, at least"
     yield Step(words, "a_L", last, "m", f"a_out - {LAST_LINKS:g} * d", "6.4.5(4)")
     nearest, apart, _ = annex.link_rows

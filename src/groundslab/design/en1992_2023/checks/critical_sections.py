@@ -122,7 +122,7 @@ def critical_section(
         line = perimeter_at(around, en1992.DISTANCE * d, near=punching.edges_within(d))
     except InputError as error:
         return str(error)
-    if line_properties.shape_of(line.whole) == "cut":
+    if line.cut:
         return CUT
     legs = _counted(line.whole, around, d)
     face = _counted(way_around(around, line.loaded), around, d)
@@ -188,5 +188,5 @@ def _relieved(
     except InputError:
         return near.inside(results, closer)
     # one that begins to run out to an edge, or cuts the slab, has another shape
-    same = farther.setbacks == line.setbacks and line_properties.shape_of(farther.whole) != "cut"
+    same = farther.setbacks == line.setbacks and not farther.cut
     return near.inside(results, punching.area_inside(farther, en1992.RELIEVED * d) if same else closer)
