@@ -6,9 +6,10 @@ punches is the shear force that the slab takes away from there. Codes say at wha
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache, partial
+from typing import Literal
 
 import numpy as np
 
@@ -30,7 +31,7 @@ from groundslab.results.mesh_results import PlateResult
 from groundslab.results.results import CombinationResult, Results
 
 #: What is said where none is judged.
-NO_WALL = "no wall pushes down at an end or corner with slab beyond it"
+NO_WALL = "no wall pushes or pulls at an end or corner with slab beyond it"
 #: beta at an end and at a corner of walls (DIN EN 1992-1-1/NA, Figure NA.6.21.1).
 BETA: Mapping[str, float] = {"end": 1.35, "corner": 1.20}
 #: The openings that count, of a slab's thickness and its effective depth [m].
@@ -45,6 +46,12 @@ class WallSite:
     column: Column  # as wide along x and y as the loaded area
     d: float  # effective depth [m]
     perimeters: WallPerimeters
+    pulls: bool = False  # whether the walls pull up, so that the bars in tension are those at the top
+
+    @property
+    def face(self) -> Literal["bottom", "top"]:
+        """Return the face whose bars are in tension."""
+        return "top" if self.pulls else "bottom"
 
     @property
     def end(self) -> WallEnd:
@@ -59,11 +66,11 @@ class WallSite:
 
 @dataclass(frozen=True, slots=True)
 class WallPunching:
-    """What punches at an end or a corner of walls that press on the slab in one combination."""
+    """What punches at an end or a corner of walls that press on the slab, or pull at it, in one combination."""
 
     site: WallSite
     results: CombinationResult
-    V: Array  # (k,): the slab's shear force across each perimeter [N]
+    V: Array  # (k,): the slab's shear force across each perimeter, away from walls that press [N]
     error: Callable[[int], float | None]  # of the one across a perimeter, by its position [N]
 
     @property
@@ -93,8 +100,8 @@ def loaded_ends(model: Model) -> tuple[WallEnd, ...]:
     )
 
 
-#: Those of a model, by its mesh.
-_SITES: Memo[list[WallSite]] = Memo()
+#: Those of a model, by its mesh, where walls press and where they pull.
+_SITES: Memo[dict[bool, list[WallSite]]] = Memo()
 
 
 def punching_walls(
@@ -116,10 +123,14 @@ def punching_walls(
         return
     first = results[0]
     counts = openings, share
-    sites = _SITES.get(first.plate.nodes, model, lambda: [*_sites(first, steel, distances, counts, most_along)])
+    forces = forces_at_ends(model, results)
+    known = _SITES.get(first.plate.nodes, model, dict)
+    for pulls in (False, True):
+        if pulls not in known and any((force < 0) if pulls else (force > 0) for force in forces.values()):
+            known[pulls] = [*_sites(first, steel, distances, counts, (most_along, pulls))]
+    sites = [site for some in known.values() for site in some]
     if not sites:
         return
-    loads = {wall.name: loads_on_wall(model, wall) for wall in model.placed_walls}
     nodes = np.unique(np.concatenate([site.perimeters.nodes for site in sites]))
 
     def plates(mesh: CombinationResult) -> tuple[PlateResult, ...]:
@@ -129,7 +140,8 @@ def punching_walls(
         coarser = cache(lambda mesh=result.coarser: () if mesh is None else plates(mesh))
         here = plates(result)
         for site in sites:
-            if _presses(site.end, loads, result):
+            force = forces[result.combination, site.end.name]
+            if force < 0 if site.pulls else force > 0:
                 yield _punching(result, site, here, coarser)
 
 
@@ -145,7 +157,8 @@ def _punching(
     """
 
     def shear(some: tuple[PlateResult, ...]) -> Array:
-        largest: Array = np.max([site.perimeters.shear(plate) for plate in some], axis=0)
+        sign = -1.0 if site.pulls else 1.0
+        largest: Array = np.max([sign * site.perimeters.shear(plate) for plate in some], axis=0)
         return largest
 
     V, before = shear(plates), cache(lambda: shear(coarser()))
@@ -160,26 +173,40 @@ def _punching(
     return WallPunching(site, result, V, error)
 
 
-def _presses(end: WallEnd, loads: Mapping[str, WallLoads], result: CombinationResult) -> bool:
-    """Return whether the loads that name the walls of an end or a corner press on the slab there."""
+def forces_at_ends(model: Model, results: Sequence[CombinationResult]) -> dict[tuple[str, str], float]:
+    """Return by how much loads press at ends and corners of walls [N/m], negative if they pull.
+
+    They are the loads that name the walls; by combination and name.
+    """
+    ends = loaded_ends(model)
+    loads = {wall.name: loads_on_wall(model, wall) for wall in model.placed_walls} if ends else {}
+    return {(result.combination, end.name): _force(end, loads, result) for result in results for end in ends}
+
+
+def _force(end: WallEnd, loads: Mapping[str, WallLoads], result: CombinationResult) -> float:
+    """Return by how much the loads that name the walls of an end or a corner press on the slab there [N/m]."""
     force = 0.0
     for leg in end.legs:
         start, final = loads[leg.wall].in_combination(result)[0]
         force += start + leg.share * (final - start)
-    return force > 0
+    return float(force)
 
 
 def _sites(
-    results: CombinationResult, steel: Reinforcement, distances: Array, counts: tuple[Reach, Share], most_along: float
+    results: CombinationResult,
+    steel: Reinforcement,
+    distances: Array,
+    counts: tuple[Reach, Share],
+    walls: tuple[float, bool],
 ) -> Iterator[WallSite]:
-    """Yield the ends and corners of walls with some plate beyond them."""
-    openings, share = counts
+    """Yield the ends and corners of walls with some plate beyond them, by how much counts and whether they pull."""
+    (openings, share), (most_along, pulls) = counts, walls
     for end in loaded_ends(results.model):
         x, y = end.place
         plan = outline(plate_under(results, x, y))
         column = _column(loaded_area(end, np.inf), end.name)
         thickness = thickness_at(results, footprint_of(column))
-        d = thickness - sum(steel.bottom_axes) / 2
+        d = thickness - sum(steel.top_axes if pulls else steel.bottom_axes) / 2
         area, footprint = loaded_area(end, d, most_along), footprint_of(column).footprint()
         far = FAR * (float(distances[-1]) * d + max(column.width_x or 0.0, column.width_y or 0.0))
         shadow = shadow_of(plan, footprint, area.center, openings(thickness, d), far)
@@ -187,7 +214,7 @@ def _sites(
         shares = partial(shares_at, parts=thinner, share=share, d=d) if thinner else None
         perimeters = wall_perimeters(results.plate, plan, area, distances * d, shadow, shares)
         if len(perimeters.distances):
-            yield WallSite(area, column, d, perimeters)
+            yield WallSite(area, column, d, perimeters, pulls)
 
 
 def _column(area: LoadedArea, name: str) -> Column:

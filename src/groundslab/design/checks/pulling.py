@@ -1,4 +1,4 @@
-"""Columns, piles and zones that pull at the plate are taken as tied to its far face, which no check looks at."""
+"""Columns, piles, zones and walls that pull at the plate are taken as tied to its far face, which is not checked."""
 
 from __future__ import annotations
 
@@ -6,14 +6,15 @@ from collections.abc import Iterator
 
 from groundslab.design.basis.check import DesignCheck, some
 from groundslab.design.basis.combinations import ultimate_results
+from groundslab.design.basis.wall_ends import forces_at_ends
 from groundslab.design.demands.perimeter_loads import punching_columns, punching_piles, rounding
 from groundslab.design.demands.zones.thicker_zones import zone_forces
 from groundslab.results.results import Results
 
 
 def checks(combined: Results) -> Iterator[DesignCheck]:
-    """Yield which columns, piles and zones pull in any ultimate combination."""
-    results, model = ultimate_results(combined), combined.solved_model
+    """Yield which columns, piles, zones and ends of walls pull in any ultimate combination."""
+    results, model = ultimate_results(combined), combined.model
     of_kinds = (
         (punching_columns(model), "columns"),
         (punching_piles(model), "piles"),
@@ -21,9 +22,15 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
     )
     for forces, many in of_kinds:
         least = rounding(forces, results)
-        names = [force.name for force in forces if any(force.acting(result)[0] < -least for result in results)]
-        if names:
-            words = (
-                f"{many} that pull ({some(names)}) are taken as tied to the far face of the slab, which is not checked"
-            )
-            yield DesignCheck(f"ties of {many}", "not checked", words)
+        yield from _tied(
+            many, [force.name for force in forces if any(force.acting(result)[0] < -least for result in results)]
+        )
+    pulled = [name for (_, name), force in forces_at_ends(model, results).items() if force < 0]
+    yield from _tied("wall ends", list(dict.fromkeys(pulled)))
+
+
+def _tied(many: str, names: list[str]) -> Iterator[DesignCheck]:
+    """Yield that some are taken as tied, if there are any."""
+    if names:
+        words = f"{many} that pull ({some(names)}) are taken as tied to the far face of the slab, which is not checked"
+        yield DesignCheck(f"ties of {many}", "not checked", words)

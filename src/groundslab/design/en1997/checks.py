@@ -17,6 +17,7 @@ from groundslab.design.basis.calculation import Step
 from groundslab.design.basis.check import NO_COMBINATION, NO_LIMIT, DesignCheck, not_judged
 from groundslab.design.basis.combinations import ultimate_results, why_none
 from groundslab.design.basis.demand_errors import error_of, scaled
+from groundslab.design.demands.loads.column_loads import factors_of
 from groundslab.design.demands.perimeters import outline
 from groundslab.design.en1997 import bearing
 from groundslab.design.en1997.bearing_steps import bearing_steps, sliding_steps
@@ -120,8 +121,8 @@ def _forces(results: CombinationResult) -> _Forces:
 
 def _horizontal(results: CombinationResult) -> float:
     """Return the horizontal force on the slab in a combination [N]."""
-    cases = {case.name: case for case in results.solved_model.cases}
-    acting = [(factor, cases[name]) for name, factor in results.factors if name in cases]
+    factors = factors_of(results)
+    acting = [(factors.get(case.name, 0.0), case) for case in results.solved_model.cases]
     return math.hypot(*(sum(factor * getattr(case, axis) for factor, case in acting) for axis in ("H_x", "H_y")))
 
 

@@ -24,8 +24,8 @@ from helpers.synthetic import LENGTH_X, LENGTH_Y
 H, D, T, C = 0.5, 0.455, 0.4, 90e3
 ALONG = T  # a_1 / 2: half of 2 b
 W = {"name": "W", "thickness": T, "points": [(-3, 0), (0, 0)]}
-#: A load that presses at the end of the wall in the middle of the plate and hardly pulls at its start.
-LOAD = {"kind": "line", "q": -1.0, "q_end": 100e3, "wall": "W", "case": "G"}
+#: A load that presses at the end of the wall in the middle of the plate and not at its start.
+LOAD = {"kind": "line", "q": 0.0, "q_end": 100e3, "wall": "W", "case": "G"}
 
 
 def results(code: str = "EN 1992-1-1", q: float = C, **changes: Any) -> Results:
@@ -136,14 +136,34 @@ def test_links_are_needed_where_the_concrete_is_not_enough_and_none_help_beyond(
     assert failing.utilisation == pytest.approx(1.6 / 1.5, rel=1e-6)
 
 
-def test_only_walls_that_press_punch() -> None:
-    """A wall that pulls, or whose load acts at its other end only, has no demand at the end."""
-    pulling = results(loads=[{**LOAD, "q_end": -100e3}])
-    check = of_walls(punching.checks(pulling))
-    assert check.words == "no wall pushes down at an end or corner with slab beyond it"
-    assert not table_of(pulling).rows()
-    at_start = results(loads=[{**LOAD, "q": 100e3, "q_end": -1.0}])
+def test_only_walls_that_press_or_pull_punch() -> None:
+    """A wall that carries nothing, or whose load acts at its other end only, has no demand at the end."""
+    idle = results(loads=[{**LOAD, "q_end": 0.0}, {"kind": "uniform", "q": 1e3, "case": "G"}])
+    check = of_walls(punching.checks(idle))
+    assert check.words == "no wall pushes or pulls at an end or corner with slab beyond it"
+    assert not table_of(idle).rows()
+    at_start = results(loads=[{**LOAD, "q": 100e3, "q_end": 0.0}])
     assert table_of(at_start)["place"] == ("start",)
+
+
+@pytest.mark.parametrize(
+    ("code", "module", "v_Ed"),
+    [
+        ("EN 1992-1-1", punching, "v_Ed at a"),
+        ("EN 1992-1-1:2023", second_generation, "tau_Ed"),
+        ("ACI 318", two_way, "v_u"),
+    ],
+)
+def test_a_wall_that_pulls_punches_upwards(code: str, module: Any, v_Ed: str) -> None:
+    """The slab's shear force runs to the end from all sides, d is that of the bars at the top: as pressed, mirrored."""
+    steel = {"code": code, "f_ck": 30e6, "f_yk": 500e6}
+    turned = steel | {"bottom": (0.06, 0.08), "top": (0.04, 0.05)}
+    pulled = results(code, q=-C, loads=[{**LOAD, "q_end": -100e3}], reinforcement=turned)
+    row, pressed = row_of(table_of(pulled)), row_of(table_of(results(code)))
+    assert (row["place"], row[v_Ed]) == ("end", pytest.approx(pressed[v_Ed], rel=1e-9))
+    check = of_walls(module.checks(pulled))
+    assert check.utilisation == pytest.approx(of_walls(module.checks(results(code))).utilisation, rel=1e-9)
+    assert check.words.endswith("it pulls and is taken as tied to the far face")
 
 
 def test_walls_without_ends_have_no_check() -> None:

@@ -63,6 +63,7 @@ def _demand(punching: WallPunching) -> TwoWay:
         place=site.end.place,
         error=partial(punching.error_of_stress, 0),
         beta_e=site.beta,
+        pulls=site.pulls,
     )
 
 

@@ -45,14 +45,16 @@ def wall_demands(combined: Results) -> Demands:
         return Demands({}, {}, {}, {})
     model = combined.model
     some = [*at_ends(combined, steel)]
-    sites = {each.site.end.name: each.site for each in some}
+    sites = {(each.site.end.name, each.site.pulls): each.site for each in some}
     ratios = {
-        name: punching_ratio(model.plate, steel, site.column, site.d, model.plates) if steel.laid else en1992.MOST_BARS
-        for name, site in sites.items()
+        key: punching_ratio(model.plate, steel, site.column, site.d, model.plates, site.face)
+        if steel.laid
+        else en1992.MOST_BARS
+        for key, site in sites.items()
     }
-    demands = [_demand(each, steel, ratios[each.site.end.name]) for each in some]
+    demands = [_demand(each, steel, ratios[each.site.end.name, each.site.pulls]) for each in some]
     found = {(demand.combination, demand.name): demand for demand in demands}
-    return Demands(found, {}, {name: site.end.place for name, site in sites.items()}, {})
+    return Demands(found, {}, {name: site.end.place for (name, _), site in sites.items()}, {})
 
 
 def _demand(punching: WallPunching, steel: Reinforcement, ratio: float) -> Demand:
@@ -70,7 +72,8 @@ def _demand(punching: WallPunching, steel: Reinforcement, ratio: float) -> Deman
         for k in range(len(v))
     )  # fmt: skip
     force = float(punching.V[-1])
-    return Demand(site.end.name, results.combination, results.limit_state, force, site.d, v_Rd_c, None, around, ratio)
+    about = site.end.name, results.combination, results.limit_state, force, site.d
+    return Demand(*about, v_Rd_c, None, around, ratio, site.pulls)
 
 
 def at_walls(combined: Results, _: Reinforcement) -> PunchingColumns:

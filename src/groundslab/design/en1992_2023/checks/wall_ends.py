@@ -55,8 +55,9 @@ def _demand(punching: WallPunching, steel: Reinforcement, combined: Results) -> 
     # gradients are those of the whole perimeter, without openings
     b_0, whole = (total_length(course(site.area, distance).legs) for distance in (0.0, en1992.DISTANCE * d))
     k_pb, b_05 = en1992.gradient(b_0, whole), float(site.perimeters.u[0])
-    laid = punching_ratio(model.plate, steel, site.column, d, model.plates) if steel.laid else en1992.MOST_BARS
-    ratio = min(laid, en1992.MOST_BARS)
+    ratio = en1992.MOST_BARS
+    if steel.laid:
+        ratio = min(ratio, punching_ratio(model.plate, steel, site.column, d, model.plates, site.face))
     beta_e = en1992.WALLS[site.end.kind]
     of_force = beta_e / (b_05 * d)
     return Punching(
@@ -84,6 +85,7 @@ def _demand(punching: WallPunching, steel: Reinforcement, combined: Results) -> 
         supported=False,
         place=site.end.place,
         error=partial(_error, punching, of_force),
+        pulls=site.pulls,
     )
 
 
