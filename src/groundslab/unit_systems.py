@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from types import MappingProxyType
 from typing import Literal
@@ -55,6 +55,7 @@ CUSTOMARY: Mapping[str, tuple[str, float]] = MappingProxyType(
         "kPa": _customary("psf", POUND_FORCE / FOOT**2 / 1e3),
         "kN/m2": _customary("psf", POUND_FORCE / FOOT**2 / 1e3),
         "MPa": _customary("psi", POUND_FORCE / INCH**2 / 1e6),
+        "MPa^0.5": _customary("psi^0.5", math.sqrt(POUND_FORCE / INCH**2 / 1e6)),
         "GPa": _customary("ksi", KIP / INCH**2 / 1e9),
         "kPa/m": _customary("pci", POUND_FORCE / INCH**3 / 1e3),
         "MPa/m": _customary("pci", POUND_FORCE / INCH**3 / 1e6),
@@ -127,6 +128,7 @@ _QUANTITY = re.compile(
     rf"(?P<unit>{_UNITS})(?![\w^*²³⁴]|/[a-zA-Z])"
 )
 _NUMBER = re.compile(_ONE)
+_AFTER_GAP = re.compile(rf"(?<=\}} )(?:{_UNITS})(?![\w^*²³⁴]|/[a-zA-Z])")
 
 
 def unit_in(name: str, system: System) -> tuple[str, float]:
@@ -151,7 +153,7 @@ def together(values: Sequence[float], dimension: str, system: System) -> tuple[l
     return units.together(values, dimension, () if system == "SI" else CUSTOMARY_STEPS.get(dimension, ()))
 
 
-def words_in(text: str, system: System) -> str:
+def words_in(text: str, system: System, names: Iterable[str] = ()) -> str:
     """Return a text with the quantities in it in the units of a system, such as "kip" for "kN".
 
     Parameters
@@ -162,6 +164,8 @@ def words_in(text: str, system: System) -> str:
         path, as in "truck at 5.00 m".
     system : str
         "SI", which changes nothing, or "US".
+    names : iterable of str
+        Names in it that stay as they are, such as "pile 12 m".
 
     Returns
     -------
@@ -175,7 +179,14 @@ def words_in(text: str, system: System) -> str:
     """
     if system == "SI":
         return text
-    return _QUANTITY.sub(_converted, text)
+    kept = sorted({name for name in names if name in text and _QUANTITY.search(name)}, key=len, reverse=True)
+    parts = re.split(f"({'|'.join(map(re.escape, kept))})", text) if kept else [text]
+    return "".join(part if i % 2 else _QUANTITY.sub(_converted, part) for i, part in enumerate(parts))
+
+
+def message_in(message: str, system: System) -> str:
+    """Return a message whose gaps stand before units, as in "{} kN/m", with those of a system."""
+    return message if system == "SI" else _AFTER_GAP.sub(lambda unit: unit_in(unit[0], system)[0], message)
 
 
 def customary_example(text: str, dimension: str) -> str:

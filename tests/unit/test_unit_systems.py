@@ -17,9 +17,10 @@ from groundslab.unit_systems import (
 )
 from groundslab.units import DIMENSIONS, UNITS, QuantityError, parse
 
-#: Sizes of the customary units of what no quantity of a case is: masses and volumes.
+#: Sizes of the customary units of what no quantity of a case is: masses, volumes, roots.
 OTHERS = {
-    "kg": 0.45359237, "kg/m2": 0.45359237 / 0.3048**2, "kg/m3": 0.45359237 / 0.3048**3, "m3": 0.3048**3
+    "kg": 0.45359237, "kg/m2": 0.45359237 / 0.3048**2, "kg/m3": 0.45359237 / 0.3048**3, "m3": 0.3048**3,
+    "MPa^0.5": 0.006894757293168361**0.5,
 }  # fmt: skip
 
 
@@ -43,7 +44,7 @@ def test_customary_unit_is_as_large_as_what_it_stands_for(unit: str) -> None:
 
 @pytest.mark.parametrize(("unit", "size"), OTHERS.items())
 def test_masses_and_volumes(unit: str, size: float) -> None:
-    """A pound is 0.45359237 kg, and a foot is 0.3048 m."""
+    """A pound is 0.45359237 kg, a foot is 0.3048 m, and a psi is 0.0068948 MPa."""
     assert CUSTOMARY[unit][1] == pytest.approx(1 / size, rel=1e-12)
 
 
@@ -86,6 +87,20 @@ def test_quantities_in_words(text: str, shown: str) -> None:
     """Numbers change with their unit, all that share it; names in quotes and numbers without a unit do not."""
     assert words_in(text, "US") == shown
     assert words_in(shown, "US") == shown
+
+
+def test_names_keep_their_quantities() -> None:
+    """What a case calls "pile 12 m" is called so in feet, too, also without quotes; what stands beside is converted."""
+    names = ("pile 12 m", "pile 12 m deep", "A")
+    assert words_in("pile 12 m deep, 3.048 m off", "US", names) == "pile 12 m deep, 10 ft off"
+    assert words_in("pile 12 m, 3.048 m", "US", names) == "pile 12 m, 10 ft"
+    assert words_in("pile 12 m", "US") == "pile 39.4 ft"
+
+
+def test_roots_of_strengths_have_the_root_of_their_unit() -> None:
+    """The root of 4000 psi, 27.579 MPa, is 63.25 psi^0.5, not 5.2516 MPa in psi, 762."""
+    name, factor = unit_in("MPa^0.5", "US")
+    assert (name, 27.579**0.5 * factor) == ("psi^0.5", pytest.approx(63.25, abs=0.005))
 
 
 def test_quantities_share_a_customary_unit() -> None:

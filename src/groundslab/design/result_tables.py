@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 from functools import cache, partial
 
 from groundslab.design.basis.wall_ends import loaded_ends
@@ -27,6 +27,7 @@ from groundslab.design.tables.summary import acting_cases, combinations, extreme
 from groundslab.design.tables.supports import joint_table, support_table
 from groundslab.design.tables.table import Column, Table, in_units
 from groundslab.model.ground import ContinuousGround
+from groundslab.model.names import names_of
 from groundslab.model.structure.beams import GivenSection
 from groundslab.results.results import Results
 from groundslab.schema.issues import require
@@ -83,13 +84,13 @@ def _knows_storeys(combined: Results) -> bool:
 
 def table_makers(combined: Results) -> dict[str, Callable[[], Table]]:
     """Return the function for each table of `tables_of` by the table's name, in the units that the case asks for."""
-    units = combined.model.units
-    return {name: partial(_in_units, make, units) for name, make in _makers(combined).items()}
+    units, names = combined.model.units, names_of(combined.model)
+    return {name: partial(_in_units, make, units, names) for name, make in _makers(combined).items()}
 
 
-def _in_units(make: Callable[[], Table], units: System) -> Table:
+def _in_units(make: Callable[[], Table], units: System, names: Collection[str]) -> Table:
     """Make a table in some units."""
-    return in_units(make(), units)
+    return in_units(make(), units, names)
 
 
 def _makers(combined: Results) -> dict[str, Callable[[], Table]]:

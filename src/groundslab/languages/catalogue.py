@@ -17,6 +17,7 @@ from itertools import accumulate
 from pathlib import Path
 from typing import Any, Literal
 
+from groundslab.unit_systems import message_in
 from groundslab.units import NUMBER
 
 #: In what language results are shown.
@@ -65,6 +66,9 @@ _PLACE = re.compile(rf"[(\[]{_ONE}(?:, {_ONE})+[)\]]")
 _LISTED = re.compile(rf"{_ONE}(?:, {_ONE})+")
 _PLACES = re.compile(rf"{_PLACE.pattern}(?: {_PLACE.pattern})+(?: \w+)?")
 _FRACTION = re.compile(r"(?<![\w.,])([+\N{MINUS SIGN}-]?\d*)\.(\d+(?:[eE][+-]?\d+)?)(?![\w.(])")
+#: Digits in groups of three, which a narrow space parts where commas are decimal.
+_GROUPED = re.compile(r"(?<![\w.,])[+\N{MINUS SIGN}-]?\d{1,3}(?:,\d{3})+(?![\w,.])")
+THIN_SPACE = "\N{NARROW NO-BREAK SPACE}"
 #: Clauses: of three parts, in brackets but for places, or behind a code.
 _CLAUSE = re.compile(
     r"\d+(?:\.\d+){2,}(?:\(\d+\))?|\d+\.\d+\(\d+\)|\((?:Table )?\d+\.\d+(?:, \d+\.\d+)*\)(?! ?(?:m\b|ft\b|\*))"
@@ -251,7 +255,8 @@ def with_commas(text: str) -> str:
 
 def _commas(text: str) -> str:
     spaced = _PLACE.sub(lambda place: place[0].replace(", ", "; "), text)
-    return _FRACTION.sub(r"\1,\2", spaced)
+    grouped = _GROUPED.sub(lambda number: number[0].replace(",", THIN_SPACE), spaced)
+    return _FRACTION.sub(r"\1,\2", grouped)
 
 
 def split_outside(text: str, mark: str) -> list[str]:
@@ -311,9 +316,12 @@ def _catalogue(language: Language) -> Catalogue:
 def _with_sentences(known: Mapping[str, str]) -> Iterator[tuple[str, str]]:
     """Yield messages, and before those of several sentences each of them, if the translation has as many.
 
+    And those about quantities in both systems of units.
+
     The space around a message stays as it is in a text.
     """
-    for message, translation in ((key.strip(), value.strip()) for key, value in known.items()):
+    customary = {message_in(key, "US"): message_in(value, "US") for key, value in known.items()}
+    for message, translation in ((key.strip(), value.strip()) for key, value in {**customary, **known}.items()):
         parts, others = _SENTENCES.split(message), _SENTENCES.split(translation)
         if 1 < len(parts) == len(others) and "{1}" not in translation:
             yield from ((part, other) for part, other in zip(parts, others, strict=True) if part not in known)

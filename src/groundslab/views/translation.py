@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator
 from dataclasses import replace
 from html import escape, unescape
-from typing import Any
 
 from groundslab.arrays import made_once
 from groundslab.design.result_tables import tables_of
 from groundslab.design.tables.table import WORDS, Column, Table
 from groundslab.languages import Translator, translator
+from groundslab.model.names import names_of
 from groundslab.results.results import CombinationResult, Results
 
 #: What stands between the tags of a drawing.
@@ -26,7 +26,7 @@ def translator_of(results: CombinationResult | Results) -> Translator:
         return str
     project = () if model.project is None else model.project
     given = [model.title, *(str(value) for key, value in project if key not in ("units", "language"))]
-    cases = (*_names(model.model_dump()), *_names(results.solved_model.model_dump()))  # whose cases may have moved
+    cases = (*names_of(model), *names_of(results.solved_model))  # whose cases may have moved
     several = [each.name for each in results.combinations] if isinstance(results, Results) else [results.combination]
     return translator(model.language, [*given, *cases, *several])
 
@@ -53,16 +53,3 @@ def _translate_column(column: Column, translate: Translator) -> Column:
     words = column.name in WORDS
     values = tuple(translate(each) if words and isinstance(each, str) else each for each in column.values)
     return replace(column, name=translate(column.name), values=values)
-
-
-def _names(value: Any) -> Iterator[str]:
-    """Yield the names of all that a case has."""
-    if isinstance(value, Mapping):
-        for key, part in value.items():
-            if key == "name" and isinstance(part, str):
-                yield part
-            else:
-                yield from _names(part)
-    elif isinstance(value, Sequence) and not isinstance(value, str):
-        for part in value:
-            yield from _names(part)

@@ -170,6 +170,25 @@ def test_combinations_and_uses_of_cases() -> None:
     assert translate("ULS 1 (ultimate, EN 1990 6.10): 1.35 G + 1.5 Q") == "ULS 1 (ELU, EN 1990 6.10): 1,35 G + 1,5 Q"
 
 
+def test_messages_are_known_in_both_systems_of_units() -> None:
+    """A sentence about kN/m is one about kip/ft in the United States."""
+    said = 'v_Ed {} at (1.2, 3.4) {} in "ULS" is 0.4 times v_Rd,c {} with the bars provided (6.2.2)'
+    german = (
+        'v_Ed {} an (1,2; 3,4) {} in "ULS" beträgt das 0,4-Fache von v_Rd,c {} mit der vorhandenen Bewehrung (6.2.2)'
+    )
+    for force, length in (("{} kN/m", "m"), ("{} kip/ft", "ft")):
+        parts = (force.format("4.24"), length, force.format("10.6"))
+        commas = (force.format("4,24"), length, force.format("10,6"))
+        assert translator("de")(said.format(*parts)) == german.format(*commas)
+
+
+def test_digits_in_groups_are_no_decimals() -> None:
+    """1,300 unknowns are not 1.3."""
+    assert with_commas("1,300") == "1\N{NARROW NO-BREAK SPACE}300"
+    assert with_commas("1,234,567") == "1\N{NARROW NO-BREAK SPACE}234\N{NARROW NO-BREAK SPACE}567"
+    assert with_commas("(1.5, 300.25)") == "(1,5; 300,25)"
+
+
 def test_clauses_in_brackets_of_messages_keep_their_points() -> None:
     """As in "(6.1, 9.2.1.1(1))", which are no numbers."""
     translate = catalogue(("by moment ({})", "nach Moment ({})"))

@@ -6,7 +6,7 @@ import numpy as np
 
 from groundslab.design.aci318 import development
 from groundslab.design.aci318.case_materials import materials
-from groundslab.design.aci318.checks.bars import CLEAR, SPACING, crack_spacing, crack_stress, least_cover
+from groundslab.design.aci318.checks.bars import CLEAR, CRACKS, SPACING, crack_spacing, crack_stress, least_cover
 from groundslab.design.basis.detailing_rule import DetailingRule, EndingBar
 from groundslab.model.design.reinforcement import Reinforcement
 
@@ -28,15 +28,15 @@ def _spacing(_: Reinforcement, thickness: float) -> float:
 
 
 def _crack_spacing(steel: Reinforcement, cover: float) -> float:
-    """Return the largest spacing [m] for cracks, at two thirds of f_y (24.3.2)."""
-    return float(crack_spacing(crack_stress(steel), np.array(cover)))
+    """Return the largest spacing [m] for cracks, at two thirds of f_y (24.3.2), the lesser of both editions."""
+    return float(min(crack_spacing(crack_stress(steel), np.array(cover), units) for units in CRACKS))
 
 
 RULE = DetailingRule(
     anchorage=lambda steel, bar: _length(steel, bar, splice=False),
     lap=lambda steel, bar: _length(steel, bar, splice=True),
     shift=lambda d, diameter: max(d, BEYOND * diameter),
-    least_cover=lambda _, layer, diameter: least_cover(layer, diameter),
+    least_cover=lambda _, layer, diameter: least_cover(layer, diameter, "SI"),
     least_clear=lambda steel, diameter: max(diameter, CLEAR[0], CLEAR[1] * (steel.aggregate or 0.0)),
     spacing=_spacing,
     edge_leg=2.0,  # as EN 1992-1-1 Figure 9.8: ACI 318 has no rule

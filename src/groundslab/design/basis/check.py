@@ -6,7 +6,7 @@ counted by itself in the headline. What no check ever looks at, such as anchorag
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, Literal
 
@@ -174,15 +174,15 @@ def not_judged(name: str, why: Unjudged, words: str, **about: Any) -> DesignChec
     return DesignCheck(name, "attention", f"not judged: {words}; {why.do}", unjudged=why, **about)
 
 
-def in_units(check: DesignCheck, system: System) -> DesignCheck:
-    """Return a check with its numbers and words in the units of a system; its place [m] and its steps stay."""
+def in_units(check: DesignCheck, system: System, names: Collection[str] = ()) -> DesignCheck:
+    """Return a check with its numbers and words in the units of a system; names, its place [m] and its steps stay."""
     if system == "SI":
         return check
     unit, factor = unit_in(check.unit, system)
     demand, resistance, error = (
         None if value is None else value * factor for value in (check.demand, check.resistance, check.error)
     )
-    words = words_in(check.words, system)
+    words = words_in(check.words, system, names)
     return replace(check, words=words, demand=demand, resistance=resistance, unit=unit, error=error)
 
 

@@ -16,6 +16,7 @@ from groundslab.design.checks.one_way_shear import shear
 from groundslab.design.en1997 import checks as en1997
 from groundslab.design.floors import checks as floors
 from groundslab.design.floors import dowel_checks
+from groundslab.model.names import names_of
 from groundslab.model.remarks.remarks import find_remarks
 from groundslab.results.results import Results
 from groundslab.schema.issues import require
@@ -118,7 +119,8 @@ def check_design(combined: Results) -> Design:
 
 def _check_design(combined: Results) -> Design:
     """Return the checks, which are made once of the same results."""
-    made = [in_units(check, combined.model.units) for find in CHECKS for check in find(combined)]
+    names = names_of(combined.model)
+    made = [in_units(check, combined.model.units, names) for find in CHECKS for check in find(combined)]
     checked = tuple(sorted((check for check in made if check.status != "not checked"), key=_order))
     unchecked = {check.name: check.words for check in made if check.status == "not checked"}
     left = "; ".join((unchecked if "strength" in unchecked else {"anchorage": NOT_CHECKED, **unchecked}).values())

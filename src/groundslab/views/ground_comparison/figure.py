@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from groundslab.model.names import names_of
 from groundslab.views.ground_comparison.rows import headings
 from groundslab.views.plots import style
 from groundslab.views.plots.request import DOWNWARDS, QUANTITIES
@@ -56,7 +57,7 @@ def plot_comparison(comparison: GroundComparison, to: str | Path | None = None) 
     from groundslab.views.plots import export
 
     with style.apply_style():
-        figure = style.show_in(draw_comparison(comparison), comparison.model.units)
+        figure = style.show_in(draw_comparison(comparison), comparison.model.units, names_of(comparison.model))
     if to is not None:
         export.save([figure], to)
     return figure

@@ -6,7 +6,7 @@ import io
 import math
 import textwrap
 import warnings
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from contextlib import contextmanager
 from functools import cache
 from types import MappingProxyType
@@ -16,6 +16,7 @@ import numpy as np
 
 from groundslab._version import __version__
 from groundslab.geometry.plan import format_place
+from groundslab.model.names import names_of
 from groundslab.unit_systems import unit_in, words_in
 from groundslab.units import WHOLE, format_coordinate, format_number
 from groundslab.views.translation import translator_of
@@ -136,7 +137,7 @@ def label_of_axis(axis: Axis, name: str, low: float) -> str:
 def show_for(figure: Figure, results: Results) -> Figure:
     """Return a figure in the units and the language of a case."""
     translate = translator_of(results)
-    show_in(figure, results.model.units)
+    show_in(figure, results.model.units, names_of(results.model))
     if translate is not str:
         translate_figure(figure, translate)
     return figure
@@ -160,8 +161,8 @@ def translate_figure(figure: Figure, translate: Translator) -> None:
         text.set_text(translate(text.get_text()))
 
 
-def show_in(figure: Figure, units: System) -> Figure:
-    """Return a figure whose axes of lengths in meters, and the words on it, are in the units of a system."""
+def show_in(figure: Figure, units: System, names: Collection[str] = ()) -> Figure:
+    """Return a figure whose axes of lengths in meters, and the words on it but names, are in the units of a system."""
     from matplotlib.text import Text
 
     if units == "SI":
@@ -173,7 +174,7 @@ def show_in(figure: Figure, units: System) -> Figure:
     for text in figure.findobj(Text):
         assert isinstance(text, Text)
         if "[" not in text.get_text():  # what labels an axis has been converted with it
-            text.set_text(words_in(text.get_text(), units))
+            text.set_text(words_in(text.get_text(), units, names))
     return figure
 
 

@@ -279,7 +279,7 @@ def layout_in_text(table: Table, in_appendix: bool) -> dict[str, Any]:
 def layout_whole(table: Table) -> dict[str, Any]:
     """Return a table cut so that it fits on paper; without rows if it has too many for one file."""
     fits = len(table) <= table_layout.MOST_IN_FILE
-    grids = table_layout.split_columns(table_layout.layout_table(table), table_layout.KEYS.get(table.name, 1))
+    grids = table_layout.split_columns(table_layout.layout_table(table), table_layout.keys_of(table))
     about = {"name": table.name, "title": table.title, "length": len(table)}
     return about | {"grids": grids if fits and len(table) else [], "notes": table.notes}
 

@@ -10,6 +10,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 from groundslab.model.loads.annexes import document_of
+from groundslab.model.names import names_of
 from groundslab.model.remarks.case_use import case_uses
 from groundslab.model.remarks.remarks import find_remarks
 from groundslab.model.shapes import Circle, Polygon, Rectangle
@@ -100,7 +101,11 @@ def input_tables(model: Model, combinations: Sequence[Combination]) -> list[Inpu
             grids = list(_list(value or (), name, "", model.units, hidden))
         if name == "cases" and model.cases:
             grids.append(_acting(model, combinations))
-        notes = [f"Remark: {words_in(remark.words, model.units)}." for remark in remarks if remark.path[0] == name]
+        notes = [
+            f"Remark: {words_in(remark.words, model.units, names_of(model))}."
+            for remark in remarks
+            if remark.path[0] == name
+        ]
         if name == "combine":
             notes += _national(model)
         if notes and grids:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass, replace
-from itertools import pairwise
+from itertools import pairwise, takewhile
 from operator import itemgetter
 from typing import Literal
 
@@ -31,11 +31,10 @@ MOST_IN_FILE = 3000
 #: What is said of the errors in a table.
 ERRORS = "Below each value: its estimated discretization error, as a share of it."
 
-#: So many columns at the left of a table say which row it is.
+#: So many columns at the left of a table say which row it is, where numbers are among them or words are not.
 KEYS = {
-    "combinations": 1, "extremes": 3, "envelope": 3, "tilt": 1, "points": 4, "soil": 5, "lines": 6, "strips": 5,
-    "supports": 3, "columns": 2, "column_envelope": 2, "pile_punching": 2, "wall_punching": 3, "zone_punching": 2,
-    "reinforcement": 1, "shear_reinforcement": 3,
+    "combinations": 1, "points": 4, "soil": 5, "lines": 6, "strips": 5, "columns": 2, "column_envelope": 2,
+    "reinforcement": 1,
 }  # fmt: skip
 
 
@@ -125,7 +124,7 @@ def summarize_table(table: Table) -> TableLayout | None:
     The second column says of what a row is; what stands at the left of the quantities, such as a place, is no quantity,
     and a direction has no extremes.
     """
-    keys = KEYS.get(table.name, 0)
+    keys = keys_of(table)
     if table.name in ELSEWHERE or not is_long(table):
         return None
     combination = table.columns[0].values
@@ -149,6 +148,12 @@ def summarize_table(table: Table) -> TableLayout | None:
     heads = headers(table.columns[1].name, "quantity", "unit")
     heads = (*heads, least, *s, combined, greatest, *s, combined)
     return TableLayout("", heads, tuple(rows), ("Extremes over all combinations.",))
+
+
+def keys_of(table: Table) -> int:
+    """Return how many columns at the left say which row it is: all of words up to the first one of numbers."""
+    words = (not any(isinstance(value, int | float) for value in column.values) for column in table.columns)
+    return KEYS.get(table.name) or sum(1 for _ in takewhile(bool, words))
 
 
 def split_columns(grid: TableLayout, keys: int) -> list[TableLayout]:

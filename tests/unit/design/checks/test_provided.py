@@ -200,7 +200,18 @@ def test_distance_of_bars_for_cracks_by_aci_318() -> None:
         assert (row.status, row.of, row.clause) == (status, "bottom y", "ACI 318-19 24.3.2")
         assert (row.demand, row.resistance) == (pytest.approx(spacing * 1e3), pytest.approx(250))
         assert follow_steps(row.steps)["eta"] == pytest.approx(row.utilisation)
-    assert aci_bars.crack_spacing(210e6, np.array([0.02])) == pytest.approx([0.4])
+    assert aci_bars.crack_spacing(210e6, np.array([0.02]), "SI") == pytest.approx([0.4])
+
+
+def test_editions_of_aci_318() -> None:
+    """In inches bars may be 15 in - 2.5 x 4.564 in = 3.59 in apart at 40,000 psi, by 318M 3.78 in; cover is 2 in."""
+    f_s, cover, inch = 275.79e6, np.array([4.564 * 0.0254]), 0.0254
+    assert aci_bars.crack_spacing(f_s, cover, "US") == pytest.approx([3.59 * inch], rel=1e-3)
+    assert aci_bars.crack_spacing(f_s, cover, "SI") == pytest.approx([3.78 * inch], rel=1e-3)
+    covers = [
+        aci_bars.least_cover(*bar, "US") / inch for bar in (("bottom_x", 0.02), ("bottom_y", 0.016), ("top_x", 0.02))
+    ]
+    assert covers == pytest.approx([2.0, 1.5, 0.75])
 
 
 def test_bars_for_shrinkage_and_temperature_by_aci_318() -> None:

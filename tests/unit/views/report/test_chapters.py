@@ -180,6 +180,12 @@ class TestLoads:
         missing = len(loads) - len(written)
         assert drawn.caption == f"All loads. For {missing} values there is no space; the case lists all."
 
+    def test_one_value_without_space_is_one(self, monkeypatch: pytest.MonkeyPatch) -> None:
+        """The caption says so."""
+        monkeypatch.setattr("groundslab.views.report.drawings.load_plan._place_values", lambda *_: ([], 1))
+        (drawn,) = plans_of_loads(model(cases=[], loads=[{"kind": "point", "P": 1e3, "x": 0, "y": 0}]))
+        assert drawn.caption == "All loads. For one value there is no space; the case lists all."
+
     def test_values_stand_on_no_line(self) -> None:
         """The value of a line load stands beside it, and that of a column on the plate's edge off the edge."""
         column = {"name": "A", "x": 0, "y": 1.8, "width_x": 0.4, "width_y": 0.4}

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
+from types import MappingProxyType
 
 import numpy as np
 
@@ -18,17 +19,24 @@ from groundslab.model.design.laid_bars import LaidBars, axis_of, bars_of
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.fields import LAYERS, place_of
 from groundslab.results.results import Results
+from groundslab.unit_systems import INCH, KIP, System
 
 _MM, _CM2 = 1e3, 1e4
 #: The formula of `crack_spacing`, in mm, with stresses in MPa and covers in m.
-FORMULAS = {"s_max": "min(380 * 280 / f_s - 2.5 * 1000 * c_c, 300 * 280 / f_s)"}
+FORMULAS = {"s_max": "min({0:g} * {2:g} / f_s - 2.5 * 1000 * c_c, {1:g} * {2:g} / f_s)"}
+#: Its lengths [mm] and stress [MPa] in 318M, and in the edition in inches: 15 in, 12 in, 40,000 psi.
+CRACKS: Mapping[System, tuple[float, float, float]] = MappingProxyType(
+    {"SI": (380.0, 300.0, 280.0), "US": (381.0, 304.8, round(40 * KIP / INCH**2 / 1e6, 4))}
+)
 #: Bars are no farther apart than so many thicknesses, but so much [m] in any case, and so much [m] at most.
 SPACING = (2.0, 0.0, 0.45)
 #: Clear distance of bars: the least [m], the factor of the aggregate's size, and nothing more.
 CLEAR = (0.025, 4 / 3, 0.0)
-#: Covers [m] of ACI 318-19 Table 20.5.1.3.1, the lesser of inches and of 318M: cast against the ground; otherwise in
-#: contact with it, of bars from No. 6 (19 mm) on and of thinner ones; of slabs not exposed.
-AGAINST_GROUND, _GROUND, _THIN, _INSIDE = 0.075, 0.050, 0.038, 0.019
+#: Covers [m] of ACI 318-19 Table 20.5.1.3.1, in 318M and in inches: cast against the ground; otherwise in contact with
+#: it, of bars from No. 6 (19 mm) on and of thinner ones; of slabs not exposed.
+COVERS: Mapping[System, tuple[float, float, float, float]] = MappingProxyType(
+    {"SI": (0.075, 0.050, 0.038, 0.019), "US": (3 * INCH, 2 * INCH, 1.5 * INCH, 0.75 * INCH)}
+)
 #: Diameter [m] from which bars are thick in that table.
 THICK = 0.019
 
@@ -37,18 +45,20 @@ def checks(combined: Results, steel: Reinforcement, laid: dict[str, LaidBars]) -
     """Yield the checks of bars that are laid, by layer."""
     yield check_spacing(solved_results(combined)[0], laid, SPACING, "ACI 318-19", "8.7.2.2")
     yield check_clear(steel, laid, CLEAR, "ACI 318-19", "25.2.1")
-    yield _cracks(steel, laid)
+    yield _cracks(steel, laid, combined.model.units)
     yield _shrinkage(combined, laid)
-    yield _cover(steel)
+    yield _cover(steel, combined.model.units)
 
 
-def _cracks(steel: Reinforcement, laid: dict[str, LaidBars]) -> DesignCheck:
+def _cracks(steel: Reinforcement, laid: dict[str, LaidBars], units: System) -> DesignCheck:
     """Return whether bars are near enough to each other to distribute cracks (24.3.2), at two thirds of f_y.
 
     ACI 318 asks it of slabs that are reinforced in one direction (24.3.1), so that others need attention only.
     """
     f_s = crack_stress(steel)
-    allowed = {layer: crack_spacing(f_s, axis_of(steel, layer) - bars.diameter / 2) for layer, bars in laid.items()}
+    allowed = {
+        layer: crack_spacing(f_s, axis_of(steel, layer) - bars.diameter / 2, units) for layer, bars in laid.items()
+    }
     layer = max(laid, key=lambda name: float((laid[name].spacing / allowed[name]).max()))
     node = int(np.argmax(laid[layer].spacing / allowed[layer]))
     spacing, most = float(laid[layer].spacing[node]) * _MM, float(allowed[layer][node]) * _MM
@@ -63,7 +73,7 @@ def _cracks(steel: Reinforcement, laid: dict[str, LaidBars]) -> DesignCheck:
             Step("specified yield strength", "f_y", materials(steel)[1].f_y / MEGA, "MPa", clause="20.2.2"),
             Step("stress of the bars", "f_s", f_s / MEGA, "MPa", "2 / 3 * f_y", "24.3.2.1"),
             Step("cover of the bars", "c_c", cover, "m"),
-            Step("largest distance", "s_max", most, "mm", FORMULAS["s_max"], "Table 24.3.2"),
+            Step("largest distance", "s_max", most, "mm", FORMULAS["s_max"].format(*CRACKS[units]), "Table 24.3.2"),
             Step("distance of the bars", "s", spacing, "mm"),
             Step("share used", "eta", spacing / most, "", "s / s_max"),
         ),
@@ -75,10 +85,14 @@ def crack_stress(steel: Reinforcement) -> float:
     return 2 / 3 * materials(steel)[1].f_y
 
 
-def crack_spacing(f_s: float, cover: Array) -> Array:
-    """Return the largest distance (n,) [m] of bars at a stress f_s [Pa] and covers (n,) [m], Table 24.3.2."""
-    stressed = 280 * MEGA / f_s
-    return np.minimum(0.38 * stressed - 2.5 * cover, 0.3 * stressed)
+def crack_spacing(f_s: float, cover: Array, units: System) -> Array:
+    """Return the largest distance (n,) [m] of bars at a stress f_s [Pa] and covers (n,) [m], Table 24.3.2.
+
+    It is that of the edition in the units.
+    """
+    first, second, stress = CRACKS[units]
+    stressed = stress * MEGA / f_s
+    return np.minimum(first / _MM * stressed - 2.5 * cover, second / _MM * stressed)
 
 
 def _shrinkage(combined: Results, laid: dict[str, LaidBars]) -> DesignCheck:
@@ -107,33 +121,35 @@ def _shrinkage(combined: Results, laid: dict[str, LaidBars]) -> DesignCheck:
     )  # fmt: skip
 
 
-def least_cover(layer: str, diameter: float) -> float:
+def least_cover(layer: str, diameter: float, units: System) -> float:
     """Return the cover [m] that a bar of a layer needs, formed or on blinding, the top not exposed."""
+    _, thick, thin, inside = COVERS[units]
     if layer.startswith("top"):
-        return _INSIDE
-    return _THIN if diameter < THICK else _GROUND
+        return inside
+    return thin if diameter < THICK else thick
 
 
-def _cover(steel: Reinforcement) -> DesignCheck:
+def _cover(steel: Reinforcement, units: System) -> DesignCheck:
     """Return whether the cover is that of Table 20.5.1.3.1: at the bottom in contact with ground, at the top inside."""
-    least = {layer: [least_cover(layer, bars.diameter) for bars in bars_of(steel, layer)] for layer in LAYERS}
+    least = {layer: [least_cover(layer, bars.diameter, units) for bars in bars_of(steel, layer)] for layer in LAYERS}
     where = "formed or on blinding, the top not exposed (Table 20.5.1.3.1)"
 
     def why(layer: str, diameter: float) -> Iterator[Step]:
         where = "in contact with the ground" if layer.startswith("bottom") else "not exposed"
-        return _least_cover_step(least_cover(layer, diameter), where)
+        return _least_cover_step(least_cover(layer, diameter, units), where)
 
     check = check_cover(steel, least, where, "ACI 318-19 20.5.1.3.1", why)
+    against_ground = COVERS[units][0]
     bottom, layer, position = min((c, layer, n) for layer, c, n in covers(steel) if layer.startswith("bottom"))
-    if check.status == "fails" or bottom >= AGAINST_GROUND - ROUNDING:
+    if check.status == "fails" or bottom >= against_ground - ROUNDING:
         return check
     diameter = bars_of(steel, layer)[position].diameter
-    why_more = _least_cover_step(AGAINST_GROUND, "cast against the ground")
-    words = f"bottom: {bottom * _MM:.4g} mm; cast against the ground it needs {AGAINST_GROUND * _MM:.4g} mm"
+    why_more = _least_cover_step(against_ground, "cast against the ground")
+    words = f"bottom: {bottom * _MM:.4g} mm; cast against the ground it needs {against_ground * _MM:.4g} mm"
     return replace(
         check, status="attention", words=f"{words} (Table 20.5.1.3.1)", of="bottom", demand=bottom * _MM,
-        resistance=AGAINST_GROUND * _MM,
-        steps=tuple(cover_steps(bottom, diameter, AGAINST_GROUND, why_more)),
+        resistance=against_ground * _MM,
+        steps=tuple(cover_steps(bottom, diameter, against_ground, why_more)),
     )  # fmt: skip
 
 

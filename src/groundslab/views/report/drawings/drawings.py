@@ -11,6 +11,7 @@ import numpy as np
 
 from groundslab.design.basis.combinations import ultimate_results
 from groundslab.design.required_bars import bar_fields
+from groundslab.model.names import names_of
 from groundslab.results.results import results_of
 from groundslab.unit_systems import words_in
 from groundslab.views.plots import beams
@@ -61,18 +62,22 @@ def draw_case(model: Model, placed: Model, translate: Translator = str) -> Drawi
     """Return the plan of a case as written, with the loads of the case as solved."""
     caption = " ".join(("Plan.", *describe_omissions(model)))
     draw = partial(draw_case_plan, model, placed)
-    svg = to_inline_svg(draw, "plan", "Plan of the plate", units=model.units, translate=translate)
-    return Drawing(svg, words_in(caption, model.units))
+    svg = to_inline_svg(
+        draw, "plan", "Plan of the plate", units=model.units, translate=translate, names=names_of(model)
+    )
+    return Drawing(svg, words_in(caption, model.units, names_of(model)))
 
 
 def draw_loads(model: Model, placed: Model, translate: Translator = str) -> Iterator[Drawing]:
     """Yield the plan of each load case's loads, without factors; of all loads where there are no cases."""
-    base = plan_base(model, placed)
+    base, names = plan_base(model, placed), names_of(model)
     for number, case in enumerate(model.cases or (None,), 1):
         plan = LoadPlan(base, case)
         if plan.has_loads:
-            caption = words_in(plan.describe(), model.units)
-            svg = to_inline_svg(plan.draw, f"loads{number}", caption, units=model.units, translate=translate)
+            caption = words_in(plan.describe(), model.units, names)
+            svg = to_inline_svg(
+                plan.draw, f"loads{number}", caption, units=model.units, translate=translate, names=names
+            )
             yield Drawing(svg, caption)
 
 

@@ -93,7 +93,8 @@ class LoadPlan:
         everywhere += [f"{symbol.replace('_', '')} {value / 1e3:.5g} kN" for symbol, value in forces if value]
         everywhere += [f"{count} \N{MULTIPLICATION SIGN} {text}" for text, count in self._repeated.items()]
         name = "All loads" if case is None else f"{case.name}, {case.action}"
-        hidden = f" For {self._missing} values there is no space; the case lists all." if self._missing else ""
+        values = "one value" if self._missing == 1 else f"{self._missing} values"
+        hidden = f" For {values} there is no space; the case lists all." if self._missing else ""
         moves = " It moves along the dashed path; drawn at the first position." if self._paths else ""
         return f"{name}{': ' if everywhere else ''}{'; '.join(everywhere)}.{hidden}{moves}"
 

@@ -12,6 +12,7 @@ from groundslab.design.demands.loads.wall_loads import loads_on_wall, settlement
 from groundslab.design.tables.structure.walls import wall_table
 from groundslab.model.model import Model
 from groundslab.model.structure.walls import Wall
+from groundslab.views.report.table_layout import keys_of, layout_table, split_columns
 
 A, B, K, Q = 6.0, 4.0, 20e6, 100e3
 LINE = {"name": "W1", "thickness": 0.2, "points": [(-2.0, 0.0), (2.0, 0.0)]}
@@ -36,6 +37,16 @@ def model(**changes: object) -> Model:
         "mesh": {"size": 0.5},
     }
     return Model(**parts | changes)
+
+
+def test_parts_of_the_table_on_paper_say_which_wall() -> None:
+    """Where it is cut, each part begins with combination and wall."""
+    table = wall_table(solve(model()))
+    parts = split_columns(layout_table(table), keys_of(table))
+    assert len(parts) > 1
+    for part in parts:
+        assert [head.text for head in part.heads[:2]] == ["combination", "wall"]
+        assert [row[1].text for row in part.rows] == ["W1", "R"]
 
 
 def test_the_row_of_a_rigid_slab_follows_from_statics() -> None:
