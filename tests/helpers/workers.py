@@ -42,7 +42,12 @@ def obey(text: str, progress: Progress) -> tuple[Answer, bytes, Solved]:
             while not Path(f"{file}.{name}").exists():
                 progress("waits", None)
                 time.sleep(0.005)
-    elif word == "stuck":
+    elif word in ("stuck", "keeping"):
+        if word == "keeping":
+            tables = {"words": lambda: TableLayout(text, headers("word"), ((Cell("kept"),),))}
+            progress.keep(
+                Answer(0.0, {}, {"text": word}, ("words",), "mesh 1"), b"scene", Solved(text, None, tables, text)
+            )
         progress("sticks", None)
         Path(f"{file}.stuck").touch()  # from now on it does not listen
         while not Path(file).exists():

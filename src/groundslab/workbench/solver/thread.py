@@ -2,7 +2,8 @@
 
 One thread runs an event loop: it starts the process, sends it jobs, stops runs that are superseded, and passes on the
 messages of the process. A run that is stopped is over for the pages at once; the process has a moment to stop between
-two steps of the analysis and is killed otherwise. A process that crashes is reported and replaced.
+two steps of the analysis, a longer one if it holds results and nothing else is to be solved, and is killed otherwise. A
+process that crashes is reported and replaced.
 """
 
 from __future__ import annotations
@@ -23,6 +24,8 @@ from groundslab.workbench.solver.worker import Worker
 DELAY = 0.05
 #: A run that has not stopped after so long is killed with its process [s].
 GRACE = 0.5
+#: So long [s] if nothing is to be solved instead: what it has told of earlier meshes, and their tables, end with it.
+KEEPING = 20.0
 #: A process that fails so often before it is ready is not started again until there is a new job.
 MAX_STARTS = 3
 CLOSING, STOPPED = "the server ends", "the solver was stopped; solve again"
@@ -123,7 +126,10 @@ class Solver:
             if active.is_cancelled and active.kill_at is None:
                 assert self._worker is not None
                 self._worker.stop(active.job.run)
-                schedule.stop(active, now + GRACE)
+                keeps = schedule.waiting is None and schedule.results.latest is not None
+                schedule.stop(active, now + (KEEPING if keeps else GRACE))
+            elif active.kill_at is not None and schedule.waiting is not None:
+                active.kill_at = min(active.kill_at, schedule.waiting.due + GRACE)
             if active.kill_at is not None and now >= active.kill_at:
                 self._kill(STOPPED)
                 schedule.finish()

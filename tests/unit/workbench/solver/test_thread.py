@@ -259,6 +259,26 @@ def test_cancelling_is_reported_at_once(
     assert events.names(run) == ["solving", "cancelled"]
 
 
+def test_what_was_told_before_cancelling_stays(
+    make: Make, events: Events, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A run that does not listen is not ended while its tables would be lost, unless there is more to do."""
+    monkeypatch.setattr(solvers, "GRACE", 0.1)
+    solver, release_file = make(), tmp_path / "release"
+    run = submit(solver, f"keeping {release_file}")
+    wait_until_stuck(release_file)
+    solver.cancel()
+    events.wait("cancelled", run)
+    release = threading.Timer(0.5, release_file.touch)  # a step that takes five times the grace
+    release.start()
+    assert b'"kept"' in solver.make_view(("table", run, "words"), PATIENCE)
+    other = submit(solver, f"keeping {tmp_path / 'never'}")
+    wait_until_stuck(tmp_path / "never")
+    solver.cancel()
+    events.wait("cancelled", other)
+    events.wait("solved", submit(solver, "go 3"))
+
+
 def test_cancelling(make: Make, events: Events, tmp_path: Path) -> None:
     """What is solved stops, what waits is forgotten; both are reported; results from before stay."""
     solver = make()
