@@ -106,7 +106,8 @@ def make_disc_means(model: Model, mesh: Mesh, section: Integers, thickness: Arra
     near[between] = False
     nodes = np.flatnonzero(near)
     boxes = bounding_boxes(mesh) if len(nodes) else None
-    edges = [*_edges_that_turn(model, mesh.nodes[nodes], t[nodes] / 2)] if len(nodes) else []
+    edges = [*_edges_near(model, mesh.nodes[nodes], t[nodes] / 2)] if len(nodes) else []
+    turns = _turn_freely(model, mesh.nodes[nodes], t[nodes]) if edges else near[nodes]
     first = np.array(first_sections(model.every_plate))
     parts, across = [csr_array((0, len(mesh.nodes)))], list[AcrossEdge]()
     for start in range(0, len(nodes), CHUNK):
@@ -119,7 +120,8 @@ def make_disc_means(model: Model, mesh: Mesh, section: Integers, thickness: Arra
         parts.append(_mean_over(disc, mesh, some))
         of_plate = np.searchsorted(first, of_node[some], side="right") - 1
         for edge in edges:
-            rows = np.flatnonzero((of_plate == edge.plate) & edge.near(mesh.nodes[some], t[some] / 2))
+            beside = turns[start : start + CHUNK] & (of_plate == edge.plate)
+            rows = np.flatnonzero(beside & edge.near(mesh.nodes[some], t[some] / 2))
             beyond = np.flatnonzero(np.isin(row, rows) & ~inside & edge.faces(points))
             turned, at = locate(mesh, edge.mirrored(points[beyond]), boxes=boxes)
             known = (turned >= 0) & (section[turned] == of_node[some[row[beyond]]])
@@ -196,31 +198,43 @@ class _Edge:
         return found
 
 
-def _edges_that_turn(model: Model, nodes: Array, reach: Array) -> Iterator[_Edge]:
-    """Yield the straight edges of plates near nodes (n, 2), so far [m] each, which are free to turn about themselves.
-
-    Clamped edges are not, nor those that a beam, a support that holds rotations, or couples act on or near to.
-    """
+def _edges_near(model: Model, nodes: Array, reach: Array) -> Iterator[_Edge]:
+    """Yield the straight edges of plates near nodes (n, 2), so far [m] each."""
     import shapely
 
     chord = FLAT * max(max(plate.sides) for plate in model.every_plate)
-    clamped, hinged = (shapely.union_all([*_supported(model.plate, kind, chord)]) for kind in ("clamped", "hinged"))
-    held = shapely.union_all([clamped, *_held(model, chord)]).buffer(reach.max())
-    hinged = hinged.buffer(chord)
+    hinged = shapely.union_all([*_supported(model.plate, "hinged", chord)]).buffer(chord)
     for number, plate in enumerate(model.every_plate):
         for ring, side in zip(plate.rings(), (1, *[-1] * len(plate.openings)), strict=True):
             turn = side * np.sign(ring.signed_area)
             out = _points_out(ring, turn)
             for i, segment in enumerate(ring.segments()):
+                if not segment.straight:
+                    continue
                 start, end = np.array(segment.start), np.array(segment.end)
                 length = float(np.linalg.norm(end - start))
                 along = (end - start) / length
                 inward = turn * np.array([-along[1], along[0]])
                 twists = hinged.intersects(shapely.Point(segment.middle))
                 edge = _Edge(number, start, along, length, inward, twists, (out[i], out[(i + 1) % len(out)]))
-                turns = segment.straight and edge.near(nodes, reach).any()
-                if turns and not held.intersects(shapely.LineString([start, end])):
+                if edge.near(nodes, reach).any():
                     yield edge
+
+
+def _turn_freely(model: Model, nodes: Array, reach: Array) -> Flags:
+    """Return beside which nodes (n, 2), so far [m], edges are free to turn about themselves.
+
+    Clamped edges are not, nor where a beam, a support that holds rotations, or couples act.
+    """
+    import shapely
+
+    chord = FLAT * max(max(plate.sides) for plate in model.every_plate)
+    held = shapely.union_all([*_supported(model.plate, "clamped", chord), *_held(model, chord)])
+    if held.is_empty:
+        return np.ones(len(nodes), dtype=bool)
+    shapely.prepare(held)
+    found: Flags = ~shapely.dwithin(shapely.points(nodes), held, reach)
+    return found
 
 
 def _points_out(ring: Ring, turn: float) -> list[bool]:
