@@ -12,6 +12,7 @@ from groundslab.model.combinations import list_combinations
 from groundslab.model.loads.annexes import AnnexName, action_parameters, document_of
 from groundslab.model.loads.load_cases import NATIONAL, PSI, Combine
 from groundslab.model.model import Model
+from groundslab.workbench.checking.revision import usual_factors
 
 CASES = """
 [plate]
@@ -172,3 +173,13 @@ def test_the_table_is_whole() -> None:
     assert all(getattr(defaults.by_annex("recommended"), key) == getattr(defaults, key) for key in NATIONAL)
     assert set(file["documents"]) == set(ANNEXES) - {"recommended"}
     assert set(ANNEXES) == set(get_args(AnnexName))
+
+
+def test_the_workbench_tells_national_factors() -> None:
+    """What a case of a type means on the page is by the annex of the file, whichever section names it, also unread."""
+    british = usual_factors({"reinforcement": {"annex": "United Kingdom"}})
+    assert (british["psi"]["wind"], british["psi"]["A"]) == ((0.5, 0.2, 0.0), (0.7, 0.5, 0.3))
+    dutch = usual_factors({"combine": {"annex": "Netherlands"}, "reinforcement": {"annex": "Germany"}})
+    assert (dutch["permanent"], dutch["psi"]["snow"]) == ((1.35, 0.9), (0.0, 0.2, 0.0))
+    for plain in (None, {}, {"combine": 3, "reinforcement": {"annex": "Atlantis"}}):
+        assert usual_factors(plain)["permanent"] == (1.35, 1.0)
