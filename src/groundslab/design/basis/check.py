@@ -62,6 +62,8 @@ NO_RULE = Unjudged("no-rule", "check it by hand, or choose another code")
 GIVEN_SECTION = Unjudged("section-by-its-properties", "check its strength by hand, or describe it by width and height")
 #: Crack width by EN 1992-1-1:2023, resistance of piles, sliding: neither the case nor the program knows what resists.
 NO_LIMIT = Unjudged("no-limit", "give it in the case")
+#: Edges of the plate that are supported hold it down.
+HELD_EDGE = Unjudged("supported-edge", "describe the edge as a line support with a limit")
 #: Restraint: no bars are laid.
 NO_BARS = Unjudged("no-bars", "lay the bars")
 #: Restraint: the bars yield, so that no crack width is valid.
@@ -73,7 +75,7 @@ NO_CONCRETE = Unjudged("no-concrete", "give one of them")
 #: All of them, in the order in which the documentation lists them.
 UNJUDGED = (
     SUPPORT_INSIDE, NO_PERIMETER, NO_PLACE, GLUED, UNSOLVED, NO_COMBINATION, ONE_COLUMN, NO_RULE,
-    GIVEN_SECTION, NO_LIMIT, NO_BARS, BARS_YIELD, OTHER_STANDARD, NO_CONCRETE,
+    GIVEN_SECTION, NO_LIMIT, HELD_EDGE, NO_BARS, BARS_YIELD, OTHER_STANDARD, NO_CONCRETE,
 )  # fmt: skip
 
 

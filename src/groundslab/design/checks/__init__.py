@@ -10,7 +10,17 @@ from dataclasses import dataclass
 
 from groundslab.arrays import Memo
 from groundslab.design.basis.check import ORDER, DesignCheck, Status, in_units
-from groundslab.design.checks import displacements, equilibrium, fire, limits, provided, reached, strength
+from groundslab.design.checks import (
+    bearings,
+    coarse_mesh,
+    displacements,
+    equilibrium,
+    fire,
+    limits,
+    provided,
+    reached,
+    strength,
+)
 from groundslab.design.checks.ground import edge_force
 from groundslab.design.checks.one_way_shear import shear
 from groundslab.design.en1997 import checks as en1997
@@ -48,6 +58,8 @@ CHECKS: tuple[Callable[[Results], Iterable[DesignCheck]], ...] = (
     edge_force.checks,
     equilibrium.checks,
     reached.checks,
+    bearings.checks,
+    coarse_mesh.checks,
     displacements.checks,
     limits.checks,
     _left_out,

@@ -51,6 +51,12 @@ def moduli(legs: Array, axes: Array) -> Array:
     return np.asarray((length * np.where(start * end >= 0, size / 2, crossing)).sum(axis=0))
 
 
+def straight(legs: Array) -> bool:
+    """Return whether straight pieces (l, 2, 2) [m] all lie on one line."""
+    places = legs.reshape(-1, 2)
+    return bool(np.linalg.svd(places - places.mean(axis=0), compute_uv=False)[-1] < SAME * total_length(legs))
+
+
 def second_moments(legs: Array, center: Array) -> Array:
     """Return int e e^T dl (2, 2) [m3] of straight pieces (l, 2, 2) [m] about a center (2,) [m]."""
     length = lengths(legs)

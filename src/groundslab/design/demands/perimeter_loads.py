@@ -25,6 +25,7 @@ from groundslab.fem.mesh import Mesh
 from groundslab.geometry.plan import FLAT
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.model.model import Model
+from groundslab.model.plates.region import PlateRegion
 from groundslab.model.structure.columns import Column
 from groundslab.model.supports import LineSupport
 from groundslab.results.record import SupportResult
@@ -244,6 +245,25 @@ class PerimeterLoads:
     others: Mapping[str, Array]  # (3,): other loads [N] and their first moments [N m], by load case
     supports: tuple[int, ...] = ()  # numbers of the other supports inside, from 0
     crossings: tuple[Crossing, ...] = ()  # of beams
+    joints: tuple[HandedOver, ...] = ()  # by other plates
+
+
+@dataclass(frozen=True, slots=True)
+class HandedOver:
+    """What a joint hands over inside a perimeter."""
+
+    joint: int  # number, from 0
+    down: float  # sign of its force where that presses down
+    part: Polygon  # inside the perimeter
+    near: float  # what is so far from it at most is inside [m]
+
+    def acting(self, results: CombinationResult) -> Array:
+        """Return its force on the plate inside, downwards [N], and its first moments (3,) [N m]."""
+        from shapely import dwithin, points
+
+        joint = results.joints[self.joint]
+        there = dwithin(self.part, points(joint.nodes), self.near)
+        return self.down * _with_moments(joint.force[there], joint.nodes[there])
 
 
 @dataclass(frozen=True, slots=True)
@@ -272,7 +292,7 @@ class PunchingShear:
     moments: Array  # (2,): of all that about the perimeter's center [N m]
     pressure: float  # of the ground inside [N]
     edge: float  # line force of the ground along the plate's edge inside [N]
-    others: float  # other loads inside, and shear forces of beams across the perimeter [N]
+    others: float  # other loads inside, shear forces of beams across the perimeter, and what joints add inside [N]
     supported: bool  # whether another support acts inside; what it adds to V is counted, what it takes off is not
 
 
@@ -283,6 +303,7 @@ class LoadsNear:
     elements: Integers
     shapes: column_loads.Shapes  # without the loads of the column itself
     supports: tuple[tuple[int, BaseGeometry], ...]  # numbers and places of the other supports
+    joints: tuple[tuple[int, float], ...] = ()  # numbers of the plate's joints, and the sign of their force downwards
 
     def inside(self, results: CombinationResult, part: Polygon) -> PerimeterLoads:
         """Return the loads inside a perimeter that cuts off a part of the plate."""
@@ -302,7 +323,10 @@ class LoadsNear:
         others = column_loads.acting_inside(results, part, (), self.shapes, (self.elements, shares))
         supports = tuple(number for number, place in self.supports if part.intersects(place))
         crossings = tuple(_crossings(results.model, part))
-        return PerimeterLoads(nodes, area[nodes], *edge_inside(results.plate, part), others, supports, crossings)
+        near = FLAT * max(results.model.sides)
+        joints = tuple(HandedOver(number, down, part, near) for number, down in self.joints)
+        edge = edge_inside(results.plate, part)
+        return PerimeterLoads(nodes, area[nodes], *edge, others, supports, crossings, joints)
 
 
 def reach_of(line: Perimeter, distance: float) -> float:
@@ -323,7 +347,19 @@ def loads_near(results: CombinationResult, punching: PunchingForce, within: floa
         if number not in punching.supports
     )
     shapes = column_loads.shapes_around(model, part, punching.columns)
-    return LoadsNear(load_vectors.find_elements_near(mesh, part), shapes, supports)
+    joints = tuple(_joints_of(results, punching.place))
+    return LoadsNear(load_vectors.find_elements_near(mesh, part), shapes, supports, joints)
+
+
+def _joints_of(results: CombinationResult, place: tuple[float, float]) -> Iterator[tuple[int, float]]:
+    """Yield the numbers of the joints of the plate at a place, and the sign of their force downwards on it."""
+    model = results.solved_model
+    if not results.joints:
+        return
+    here = model.every_plate[PlateRegion(model.plate, model.plates).plate_at(place)].name
+    for number, joint in enumerate(model.joints):
+        if here in joint.between:
+            yield number, 1.0 if joint.between[1] == here else -1.0
 
 
 def punching_shear(
@@ -333,9 +369,9 @@ def punching_shear(
 
     Of a column V is its force and the other loads inside less the ground's pressure there; of a pile, or a column that
     pulls, its force and the pressure less the loads. What beams carry out of the perimeter does not punch. The edge's
-    line force inside is taken off only where the case says so, but added in any case where it adds. What other supports
-    inside take off is not counted either, as each may stand on the perimeter itself; what they add is, which is on the
-    safe side: a perimeter around all of them is longer.
+    line force inside is taken off only where the case says so, but added in any case where it adds. What joints with
+    other plates and other supports inside take off is not counted either, as each support may stand on the perimeter
+    itself; what they add is, which is on the safe side: a perimeter around all of them is longer.
     """
     sign = -1.0 if punching.from_below else 1.0
     plate = results.plate
@@ -344,6 +380,8 @@ def punching_shear(
     edge = _with_moments(inside.edge * plate.line_force[inside.edge_nodes], plate.nodes[inside.edge_nodes])
     others = column_loads.factored_sums(results, inside.others)
     others = sum((crossing.acting(results) for crossing in inside.crossings), others)
+    handed = [joint.acting(results) for joint in inside.joints]
+    others = sum((force for force in handed if sign * force[0] > 0), others)
     acting = np.array([force, *(force * np.array(punching.place))]) + sign * (others - pressure)
     if edge_relieves or sign * edge[0] < 0:
         acting = acting - sign * edge

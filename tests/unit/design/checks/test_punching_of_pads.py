@@ -146,3 +146,27 @@ def test_a_force_on_the_footprint_is_the_columns(code: str) -> None:
     for by_place, by_name in zip(*every, strict=True):
         assert by_place.demand is not None
         assert by_place.demand == pytest.approx(by_name.demand, rel=0.01)
+
+
+@pytest.mark.parametrize("between", [("A", "B"), ("B", "A")])
+def test_what_hangs_on_a_joint_punches(between: tuple[str, str]) -> None:
+    """A bay of 3 m by 1 m without ground hangs on a slab beside its column: half of its 300 kN are inside at 2 d.
+
+    The other half is on a line support. The pressure inside, which the joint raises as well, takes off.
+    """
+    slab = {"thickness": 0.5, "E": 31e9, "nu": 0.2}
+    model = pad("EN 1992-1-1", 6.0, 6.0).replace(
+        plate={"name": "A", "outline": {"kind": "rectangle", "x": (-3.0, 3.0), "y": (-3.0, 3.0)}, **slab},
+        plates=[{"name": "B", "outline": {"kind": "rectangle", "x": (3.0, 6.0), "y": (-0.5, 0.5)}, **slab}],
+        joints=[{"kind": "hinge", "between": between}],
+        contact={"voids": [{"x": (3.0, 6.0), "y": (-0.5, 0.5)}]},
+        supports=[{"kind": "line", "points": [(6.0, -0.5), (6.0, 0.5)], "acts": "in compression"}],
+        columns=[{"name": "C", "x": 2.8, "y": 0, "width_x": SIDE, "width_y": SIDE}],
+        loads=[{"kind": "point", "case": "G", "column": "C", "P": 800e3},
+               {"kind": "uniform", "case": "G", "plate": "B", "q": 100e3}],
+        mesh={"size": 0.5},
+    )  # fmt: skip
+    table = next(each for each in gs.tables_of(gs.solve(model)) if each.name == "columns")
+    found = {column.name: column.values[0] for column in table.columns}
+    assert found["other loads inside"] == pytest.approx(1.35 * 150, rel=1e-3)
+    assert found["V_Ed"] == pytest.approx(1.35 * (800 + 150) - found["pressure inside"], rel=1e-3)

@@ -52,7 +52,7 @@ def solved(model: Model, m_x: float = 10e3) -> Results:
     """Return made-up results of all combinations, with one moment everywhere, an even pressure of 50 kPa."""
     made = {}
     for each in model.combinations:
-        one = synthetic.results(6, model=model, combination=each.name, limit_state=each.limit_state,
+        one = synthetic.results(24, model=model, combination=each.name, limit_state=each.limit_state,
                                 factors=each.factors)  # fmt: skip
         flat = np.zeros(len(one.plate.nodes))
         fields = {"moment_x": flat + m_x, "moment_y": flat, "moment_xy": flat, "pressure": flat + 50e3}

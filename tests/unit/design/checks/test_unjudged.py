@@ -91,6 +91,9 @@ def beam(section: dict[str, Any]) -> dict[str, Any]:
 POINTS = [{"kind": "point", "x": x, "y": y, "acts": "in compression"} for x in (-1.0, 1.0) for y in (-1.0, 1.0)]
 BAY = {"length_x": 2.4, "length_y": 2.4, "thickness": 0.8, "E": 31e9, "nu": 0.2}
 ON_POINTS = {"plate": BAY, "columns": (), "loads": [WEIGHT], "supports": POINTS}
+#: A plate whose edges are held, and what presses on it.
+HELD = {"length_x": 4.0, "length_y": 4.0, "thickness": 0.4, "E": 31e9, "nu": 0.2, "support": "hinged"}
+WATER = {"kind": "uniform", "case": "G", "q": 40e3}
 GIVEN = {"kind": "properties", "second_moment": 1e-4, "torsion_constant": 1e-4, "shear_area": 0.01}
 CONCRETE = {"kind": "rectangle", "width": 0.3, "height": 0.6}
 #: By the reason: what of the slab differs where it is so, and where it is nearly so, and how the check is called.
@@ -117,6 +120,10 @@ CASES: dict[str, tuple[dict[str, Any], dict[str, Any], str]] = {
         crack_width({"code": "EN 1992-1-1:2023"}),
         crack_width({"code": "EN 1992-1-1:2023", "w_max": 0.3e-3}),
         "crack width",
+    ),
+    "supported-edge": (
+        {"plate": HELD, "columns": (), "loads": [WATER | {"q": -40e3}]},
+        {"plate": HELD, "columns": (), "loads": [WATER]}, "edges that hold down",
     ),
     "no-bars": ({"reinforcement": STEEL | {"restraint": {}}}, crack_width({"restraint": {}}), "bars against restraint"),
     "bars-yield": (

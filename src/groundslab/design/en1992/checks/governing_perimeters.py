@@ -133,6 +133,8 @@ class _Site:
             return str(error)
         if distance > 0 and line.cut:
             return CUT
+        if line_properties.straight(line.legs):
+            return STRAIGHT
         return BEYOND if self._leaves_zone(line, distance) else line
 
     def _leaves_zone(self, line: Perimeter, distance: float) -> bool:
@@ -170,6 +172,7 @@ class _Site:
 
 
 #: Why there is no perimeter at some distance.
+STRAIGHT = "what openings leave of its perimeter is straight and resists no moment"
 CUT = "its control perimeters cut the slab from edge to edge, which is one-way shear"
 
 #: Why a perimeter is none of a column on a thicker zone.

@@ -108,7 +108,8 @@ def _face(steel: Reinforcement, punched: Demands, names: Names) -> Iterator[Desi
     check = None
     if those:
         check = with_way(_punching(names.face, names, "v_Rd,max", those, punched, "fails", "6.4.5(3)"), punched.found)
-    # whoever has no face has no perimeter around, where this is said
+    elif punched.missing and not supported:
+        return  # whoever has no face has no perimeter around, where this is said
     yield from with_the_rest(check, names.face, (names.many, names.none, CUT), supported, {})
 
 
