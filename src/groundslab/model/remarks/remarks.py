@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from groundslab.model.combinations import list_combinations
+from groundslab.model.loads.annexes import is_unknown
 from groundslab.model.loads.clipping import find_clipped_loads
 from groundslab.model.loads.load_cases import SERVICEABILITY, Combination, LimitState
 from groundslab.model.loads.load_types import SelfWeight
@@ -104,10 +105,21 @@ def find_remarks(model: Model, combinations: Sequence[Combination] | None = None
         *(Remark(*unusual) for unusual in unusual_quantities(model)),
         *_on_repeated(model, uses, combinations),
         *_on_combine(model, uses, combinations),
+        *_on_annex(model),
         *_on_names(model, uses),
         *_on_self_weight(model),
         *_on_uplift(model, uses, combinations),
     )
+
+
+def _on_annex(model: Model) -> Iterator[Remark]:
+    """Yield that combinations have the recommended values, where those of the annex were not found."""
+    annex = None if model.combine is None else model.combine.annex
+    if model.combine is not None and model.combine.expression != "ACI 318" and is_unknown(annex):
+        words = (
+            f"psi and partial factors of the annex of {annex} to EN 1990 were not found: the recommended ones are taken"
+        )
+        yield Remark(("combine",), words)
 
 
 def _on_cases(model: Model, uses: Sequence[CaseUse]) -> Iterator[Remark]:

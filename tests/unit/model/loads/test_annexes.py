@@ -12,6 +12,7 @@ from groundslab.model.combinations import list_combinations
 from groundslab.model.loads.annexes import AnnexName, action_parameters, document_of
 from groundslab.model.loads.load_cases import NATIONAL, PSI, Combine
 from groundslab.model.model import Model
+from groundslab.model.remarks.remarks import find_remarks
 from groundslab.workbench.checking.revision import usual_factors
 
 CASES = """
@@ -183,3 +184,11 @@ def test_the_workbench_tells_national_factors() -> None:
     assert (dutch["permanent"], dutch["psi"]["snow"]) == ((1.35, 0.9), (0.0, 0.2, 0.0))
     for plain in (None, {}, {"combine": 3, "reinforcement": {"annex": "Atlantis"}}):
         assert usual_factors(plain)["permanent"] == (1.35, 1.0)
+
+
+def test_unknown_annexes_are_remarked_on() -> None:
+    """Where nothing was found of an annex, check and report say that the recommended values are taken."""
+    for name, unknown in (("Italy", True), ("Germany", False), ("Netherlands", False), ("recommended", False)):
+        words = [remark.words for remark in find_remarks(read('"ultimate"', f'annex = "{name}"'))]
+        assert any(f"of the annex of {name} to EN 1990 were not found" in each for each in words) == unknown
+    assert find_remarks(read('"ultimate"', annex="France"))

@@ -39,6 +39,11 @@ def document_of(annex: str) -> str:
     return str(action_parameters()["documents"][annex]) if _own(annex) else ""
 
 
+def is_unknown(annex: str | None) -> bool:
+    """Return whether it was not found out what an annex to EN 1990 says."""
+    return annex in action_parameters()["unknown"]
+
+
 def _own(annex: str) -> dict[str, Any]:
     """Return the values that an annex has of its own, by their keys."""
     own = {
