@@ -178,11 +178,31 @@ class BeamResult:
         return self.at(np.concatenate([[low], inside, [length - low]]))
 
     def at(self, ways: Array) -> BeamResult:
-        """Return it at other places along it, ways (k,) [m] from its start, in order.
+        """Return it at other places along it.
 
         Between two of its own places each value follows the parabolas through these and the next one on either side,
-        of which the nearer counts more; none reaches over a jump. Of a place that stands twice the first has the value
-        before it, the second the one after; one that stands alone the one after.
+        of which the nearer counts more; none reaches over a jump.
+
+        Parameters
+        ----------
+        ways : (k,) array of float
+            How far they lie from its start [m], in order. Of a place that stands twice the first has the values before
+            it, the second those after it; one that stands alone has those after it.
+
+        Returns
+        -------
+        BeamResult
+            The same beam at these places alone.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> from groundslab.results.record import BeamResult
+        >>> way, none = np.array([0.0, 1.0, 3.0, 4.0]), np.zeros(4)
+        >>> nodes = np.column_stack([way, none])
+        >>> span = BeamResult("span", nodes, way, none, way * (4 - way), 4 - 2 * way, none, none, none, none)
+        >>> span.at(np.array([2.0])).moment
+        array([4.])
         """
         x, near = self.way, SAME * self.way[-1]
         side = np.where(np.append(np.diff(ways) <= near, False), -near, near)
