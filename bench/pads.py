@@ -76,18 +76,19 @@ def pads() -> Iterator[tuple[str, dict[str, float], float]]:
         yield shape, {"L_x": L_x, "L_y": L_y, "c_x": c, "c_y": c_y, "e": e, "P": P}, h
 
 
-def around(pad: dict[str, float], a: float, depth: float) -> bool:
-    """Return whether perimeters up to a distance run all around the column: none to an edge or a corner is shorter.
+def around(code: str, pad: dict[str, float], depth: float) -> bool:
+    """Return whether perimeters of a code run all around the column: none to an edge or a corner is shorter.
 
     By EN 1992-1-1 those that govern are nearer than half of 2 d, and at the face a corner has u_0 of setbacks and 3 d.
     """
-    c_y = pad["c_y"] or pad["c_x"]
+    a, c_y = REACH[code] * depth, pad["c_y"] or pad["c_x"]
     room_x, room_y = (pad["L_x"] - pad["c_x"]) / 2 - abs(pad["e"]), (pad["L_y"] - c_y) / 2
     if 2 * (pad["c_x"] + c_y) > room_x + room_y + 3 * depth:
         return False
     near = a / 2 if a > depth else a
-    corner = room_x + pad["c_x"] + room_y + c_y + math.pi / 2 * near
-    closed = 2 * (pad["c_x"] + c_y + math.pi * near) if pad["c_y"] else math.pi * (pad["c_x"] + 2 * near)
+    around_corner = 2.0 if code == "ACI 318" else math.pi / 2  # its corners are square
+    corner = room_x + pad["c_x"] + room_y + c_y + around_corner * near
+    closed = 2 * (pad["c_x"] + c_y) + 4 * around_corner * near if pad["c_y"] else math.pi * (pad["c_x"] + 2 * near)
     return min(room_x, room_y) > a and corner > closed and (not pad["e"] or room_x > c_y / 2 + 2 * a)
 
 
@@ -132,7 +133,7 @@ def main() -> None:
             counts[code]["one-way shear" if one_way else "judged" if len(judged) == len(made) else "not judged"] += 1
             if len(judged) < len(made):
                 print("NOT JUDGED", code, about, [check.words for check in made])
-            if one_way or not around(pad, REACH[code] * (h - AXIS), h - AXIS):
+            if one_way or not around(code, pad, h - AXIS):
                 continue
             given = pad | ({"a_p": column_demands(results)[0]["U", "C"].a_p} if code == "EN 1992-1-1:2023" else {})
             hand = by_hand(d=h - AXIS, f_ck=F_CK, rho=RATIO, **given)

@@ -142,13 +142,14 @@ def test_bars_against_restraint() -> None:
     assert early.demand == pytest.approx(4.35)
 
 
-@pytest.mark.parametrize(("annex", "w_k"), [("recommended", 0.7375), ("Germany", 0.4843)])
+@pytest.mark.parametrize(("annex", "w_k"), [("recommended", 0.7375), ("Germany", 0.4876)])
 def test_the_width_of_cracks_by_restraint(annex: str, w_k: float) -> None:
     """Bars of 16 mm at 150 mm, their axis at 58 mm: by hand.
 
     sigma_s = 434.5 / 1340.4 = 324.1 MPa; rho = 1340.4 / (2.5 x 58) = 0.924 %; 0.6 x 324.1 / 200 000 = 0.972 per mille
     is more than (324.1 - 132.4) / 200 000. s_r = 3.4 x 50 + 0.8 x 0.425 x 16 / 0.00924 = 758 mm; in Germany
-    16 / (3.6 x 0.00924) = 481 mm, and 3.0 instead of 2.896 MPa make 335.7 MPa.
+    h_c,ef is 0.1 x 300 + 2 x 58 = 146 mm, rho 0.918 %, s_r 16 / (3.6 x 0.00918) = 484 mm, and 3.0 instead of 2.896 MPa
+    make 335.7 MPa.
     """
     row = checks(0.0, **THICK, restraint={}, w_max=3e-4, annex=annex)["crack width by restraint"]
     assert (row.status, row.of, row.resistance) == ("fails", "bottom y", pytest.approx(0.3))
@@ -157,7 +158,7 @@ def test_the_width_of_cracks_by_restraint(annex: str, w_k: float) -> None:
     assert known["w_k"] == pytest.approx(row.demand)
     assert (known["sigma_s"], known["rho"]) == (
         pytest.approx(324.1 if annex == "recommended" else 335.7, rel=1e-3),
-        pytest.approx(0.00924, rel=1e-3),
+        pytest.approx(0.00924 if annex == "recommended" else 0.00918, rel=1e-3),
     )
     assert known["k_2"] == (1.0 if annex == "recommended" else 0.5)
 

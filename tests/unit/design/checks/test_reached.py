@@ -327,6 +327,7 @@ ELSEWHERE = {
     "Limits.uplift": "the checks of limits",
     "Limits.differential_settlement": "the checks of limits",
     "Limits.pressure": "the checks of limits",
+    "Beam.torsion": "the check of webs; released torsion is left to compatibility",
     "Mesh.max_unknowns": "the words on a mesh that is too coarse",
     "Reinforcement.w_max": "the check of crack widths",
     "Reinforcement.f_yk": "a strength, of which the checks of bars are made",
