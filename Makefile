@@ -13,22 +13,24 @@ JOBS   ?= 2
 PYTHONS ?= 3.11 3.12 3.13 3.14
 # cases that dist-pythons verifies, such as CASES="beam paper"; all if there are none
 CASES  ?=
-# where another solver can make a difference
-SOLVING := tests/unit/solvers tests/unit/analysis tests/unit/results tests/verification tests/properties
+# where another solver can make a difference: what factorizes, and whole slabs of every kind, which need a certificate
+SOLVING := tests/unit/solvers tests/unit/analysis tests/docs/test_examples.py tests/verification/test_cases.py
 # further options for pytest, such as OPTIONS="-k punching"
 OPTIONS ?=
 # options for the bench, such as BENCH=--resume
 BENCH  ?=
+# what is compiled, of tests most of all, is kept from one process to the next
+unexport PYTHONDONTWRITEBYTECODE
 
 QUIET     := --quiet --disable-pip-version-check
 INSTALL   := $(BIN)/python -m pip install $(QUIET)
 # a process takes neighboring tests, which share what their module has solved, and the others' when it has no more
-PYTEST    := OMP_NUM_THREADS=1 $(BIN)/python -m pytest -n $(JOBS) --dist worksteal --durations 25 $(OPTIONS)
+PYTEST     = OMP_NUM_THREADS=1 $(BIN)/python -m pytest -n $(JOBS) --dist worksteal --durations 25 --record out/$@.txt $(OPTIONS)
 # Node.js of lock/node.txt, where the machine has none that is recent enough
 WITH_NODE := PATH="$$PWD/$(BIN):$$PATH"
 COMPILE   := $(BIN)/uv pip compile --quiet --universal --python-version 3.11 --generate-hashes --no-header --no-emit-index-url --no-annotate --no-strip-extras
 
-.PHONY: demo verify verify-light docs test test-fast test-slow test-solvers test-oldest coverage lint types check lock pages pages-test dist dist-test dist-pythons licenses bench clean help
+.PHONY: demo verify verify-light docs test tests test-fast test-short test-slow test-solvers test-oldest coverage lint types check lock pages pages-test dist dist-test dist-pythons licenses bench clean help
 
 help:                   ## list the targets
 	@sed -n 's/^\([a-z-]*\): .*## /\1\t/p' $(MAKEFILE_LIST)
@@ -60,23 +62,30 @@ lint: $(VENV)/dev.stamp web/node_modules/.package-lock.json ## ruff, the order o
 types: $(VENV)/dev.stamp ## mypy, strict
 	$(BIN)/mypy
 
-test: lint types pages  ## lint, types and every test
+test: lint types tests  ## lint, types and every test
+
+# slow tests wait for servers, browsers and other processes
+tests test-slow: JOBS := 3
+tests: $(VENV)/dev.stamp pages ## every test, or those of OPTIONS
 	$(PYTEST)
 
-test-fast: $(VENV)/dev.stamp pages ## all tests but the slow ones
+test-fast: $(VENV)/dev.stamp pages ## the tests that take a fraction of a second, most of all: in a minute
+	$(PYTEST) --quick
+
+test-short: $(VENV)/dev.stamp pages ## all tests but the slow ones
 	$(PYTEST) -m "not slow"
 
 test-slow: $(VENV)/dev.stamp pages ## the slow tests
 	$(PYTEST) -m slow
 
-coverage: $(VENV)/dev.stamp pages ## the fast tests, and how much of the code they run
+coverage: $(VENV)/dev.stamp pages ## all tests but the slow ones, and how much of the code they run
 	$(PYTEST) -m "not slow" --cov --cov-report=term
 
-test-solvers: $(VENV)/dev.stamp pages ## the fast tests of what solves, with each solver that can take PARDISO's place
-	$(PYTEST) --no-cov -m "not slow" --solver cholmod $(SOLVING)
-	$(PYTEST) --no-cov -m "not slow" --solver superlu $(SOLVING)
+test-solvers: $(VENV)/dev.stamp pages ## some tests of what solves, with each solver that can take PARDISO's place
+	$(PYTEST) -m "not slow" --solver cholmod $(SOLVING)
+	$(PYTEST) -m "not slow" --solver superlu $(SOLVING)
 
-test-oldest: $(VENV)/dev.stamp pages ## the fast tests with the oldest dependencies that pyproject.toml allows
+test-oldest: $(VENV)/dev.stamp pages ## all tests but the slow ones with the oldest dependencies that pyproject.toml allows
 	$(BIN)/uv venv --quiet --clear --python $(BIN)/python $(OLDEST)
 	$(BIN)/uv pip install --quiet --python $(OLDEST) --resolution lowest-direct $(EXTRAS:%=--extra %) --group dev -r pyproject.toml
 	PYTHONPATH=src OMP_NUM_THREADS=1 $(OLDEST)/$(SCRIPTS)/python -m pytest -n $(JOBS) -m "not slow" -W ignore::DeprecationWarning

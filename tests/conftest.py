@@ -1,19 +1,55 @@
-"""What holds for all tests: the solver that stands for "auto", examples that are always the same; interrupts."""
+"""What holds for all tests: what "auto" solves with, which are quick, what each took; the same examples always."""
 
 from __future__ import annotations
 
 import signal
+from collections import Counter
 from collections.abc import Iterator
 from contextlib import suppress
+from pathlib import Path
+from typing import Any
 
 import pytest
 
 from groundslab.solvers import factorization
 
+#: What --record has written of all tests, as a comment says there.
+LENGTHY = Path(__file__).with_name("lengthy.txt")
+#: Test functions that take longer are recorded [s].
+QUICK = 0.2
+
 
 def pytest_addoption(parser: pytest.Parser) -> None:
-    """Add --solver, with which the tests run as where another solver is all that there is."""
+    """Add the options of these tests."""
     parser.addoption("--solver", choices=["pardiso", "cholmod", "superlu"], help='the solver that "auto" takes')
+    parser.addoption("--quick", action="store_true", help=f"leave out slow tests and those of {LENGTHY.name}")
+    parser.addoption("--record", type=Path, metavar="FILE", help="write which test functions take long, and how long")
+
+
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    """Keep quick tests only, if that is asked for."""
+    if config.getoption("--quick"):
+        lengthy = {line.split()[-1] for line in LENGTHY.read_text(encoding="utf-8").splitlines()}
+        left_out = {each for each in items if each.get_closest_marker("slow") or _function(each.nodeid) in lengthy}
+        config.hook.pytest_deselected(items=[each for each in items if each in left_out])
+        items[:] = [each for each in items if each not in left_out]
+
+
+def pytest_terminal_summary(terminalreporter: Any, config: pytest.Config) -> None:
+    """Write how long test functions took with all of their parameters, the longest first."""
+    if path := config.getoption("--record"):
+        seconds = Counter[str]()
+        for report in (report for reports in terminalreporter.stats.values() for report in reports):
+            if hasattr(report, "duration"):
+                seconds[_function(report.nodeid)] += report.duration
+        path.parent.mkdir(parents=True, exist_ok=True)
+        lines = (f"{taken:7.2f} {name}\n" for name, taken in seconds.most_common() if taken > QUICK)
+        path.write_text("".join(lines), encoding="utf-8")
+
+
+def _function(nodeid: str) -> str:
+    """Return the name of a test without its parameters."""
+    return nodeid.partition("[")[0]
 
 
 def pytest_configure(config: pytest.Config) -> None:
