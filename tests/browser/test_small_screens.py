@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -16,7 +17,6 @@ pytestmark = pytest.mark.slow
 LAPTOP = (1366, 768)
 LOW = (1280, 650)
 LARGE = (1920, 1080)
-SIZES = pytest.mark.parametrize("size", [LAPTOP, LOW], ids=["1366x768", "1280x650"])
 
 #: The rows of the table that are wholly in view and covered by nothing.
 WHOLE_ROWS = """() => {
@@ -123,12 +123,15 @@ def pad(tmp_path: Path) -> Path:
     return path
 
 
-def open_pad(server: Server, bench: Bench, pad: Path, size: tuple[int, int], language: str = "en") -> None:
-    """Open the pad in a window and a language and wait for its checks, one of which needs attention."""
+def open_pad(server: Server, bench: Bench, pad: Path, *sizes: tuple[int, int], language: str = "en") -> Iterator[None]:
+    """Open the pad in a language in one window after the other, each time with its checks, one needing attention."""
     bench.page.add_init_script(f"localStorage.setItem('groundslab-language', '{language}')")
-    resize(bench, size)
-    bench.open(server.start(pad))
-    wait_checked(bench)
+    url = server.start(pad)
+    for size in sizes:
+        resize(bench, size)
+        bench.open(url)
+        wait_checked(bench)
+        yield
 
 
 def resize(bench: Bench, size: tuple[int, int]) -> None:
@@ -143,21 +146,22 @@ def wait_checked(bench: Bench) -> None:
     bench.until(lambda: bench.seen(".cost") != "")
 
 
-@pytest.mark.parametrize(("size", "least"), [(LAPTOP, 12), (LOW, 9)], ids=["1366x768", "1280x650"])
-def test_rows_of_checks_in_view(server: Server, bench: Bench, pad: Path, size: tuple[int, int], least: int) -> None:
+def test_rows_of_checks_in_view(server: Server, bench: Bench, pad: Path) -> None:
     """The tab of checks shows twelve whole rows on a laptop, nine where the window is low."""
-    open_pad(server, bench, pad, size)
-    bench.page.locator(".lower").get_by_role("tab", name="Checks").click()
-    bench.page.locator(".result-table:visible tbody tr[data-place]").first.wait_for()
-    bench.until(lambda: bench.page.evaluate(WHOLE_ROWS) >= least, lambda: str(bench.page.evaluate(WHOLE_ROWS)))
-    picture = bench.page.locator(".stage-place").bounding_box()
-    assert picture["height"] > 150, "the picture is still seen"
+    for least, _ in zip((12, 9), open_pad(server, bench, pad, LAPTOP, LOW), strict=True):
+        bench.page.locator(".lower").get_by_role("tab", name="Checks").click()
+        bench.page.locator(".result-table:visible tbody tr[data-place]").first.wait_for()
+        bench.until(
+            lambda least=least: bench.page.evaluate(WHOLE_ROWS) >= least, lambda: str(bench.page.evaluate(WHOLE_ROWS))
+        )
+        picture = bench.page.locator(".stage-place").bounding_box()
+        assert picture["height"] > 150, "the picture is still seen"
 
 
 @pytest.mark.parametrize("language", ["en", "de"])
 def test_nothing_is_cut(server: Server, bench: Bench, pad: Path, language: str) -> None:
     """In every view of the model and every tab of results no words are cut, or a title has them."""
-    open_pad(server, bench, pad, LAPTOP, language)
+    next(open_pad(server, bench, pad, LAPTOP, language=language))
     for size in (LAPTOP, LOW, LARGE):
         resize(bench, size)
         for tab in bench.page.get_by_role("tab").all():
@@ -192,11 +196,10 @@ def test_what_solving_takes_is_told_in_full(server: Server, bench: Bench, pad: P
     assert draft.startswith(messages(language)["Draft (15 %)"])
 
 
-@SIZES
-@pytest.mark.parametrize("language", ["en", "de"])
+@pytest.mark.parametrize(("size", "language"), [(LAPTOP, "en"), (LOW, "de")], ids=["1366x768", "1280x650"])
 def test_tabs_are_all_reached(server: Server, bench: Bench, pad: Path, size: tuple[int, int], language: str) -> None:
     """By keys and by the arrows at the ends every tab comes into view, and arrows say where there are more."""
-    open_pad(server, bench, pad, size, language)
+    next(open_pad(server, bench, pad, size, language=language))
     for part in (".model", ".lower"):
         bar = bench.page.locator(f"{part} > .scrolling-bar")
         tabs = bar.get_by_role("tab").all()
@@ -234,7 +237,7 @@ def test_words_over_a_picture_leave_its_scales(own_server: Server, bench: Bench,
 
 def test_help_covers_no_field_and_little_of_the_plan(server: Server, bench: Bench, pad: Path) -> None:
     """The meaning of a field covers no field that has the focus, nor the loads on the entire slab or the properties."""
-    open_pad(server, bench, pad, LOW)
+    next(open_pad(server, bench, pad, LOW))
     bench.click(0, 0)
     bench.wait_seen(".properties h3", "olumn C1")
     bench.page.locator(".properties input").first.focus()
@@ -256,24 +259,23 @@ IS_SEEN = """(each) => {
 }"""
 
 
-@SIZES
-def test_dialogs_fit_and_are_dark(server: Server, bench: Bench, tmp_path: Path, size: tuple[int, int]) -> None:
+def test_dialogs_fit_and_are_dark(server: Server, bench: Bench, tmp_path: Path) -> None:
     """Dialogs of files, imports, exports, keys and generators fit into the window, their buttons seen, all dark."""
     case = write_case(tmp_path)
     write_table(tmp_path, ETABS)
     bench.page.add_init_script("localStorage.setItem('groundslab-theme', 'dark')")
-    resize(bench, size)
-    bench.open(server.start(case))
-    page = bench.page
-    assert page.locator("html").get_attribute("data-theme") == "dark"
-    wrong = {}
-    for name, dialog in _dialogs(bench):
-        dialog.wait_for()
-        wrong[name] = dialog.evaluate(DIALOG)
-        page.keyboard.press("Escape")
-        dialog.wait_for(state="hidden")
+    page, url, wrong = bench.page, server.start(case), {}
+    for size in (LAPTOP, LOW):
+        resize(bench, size)
+        bench.open(url)
+        assert page.locator("html").get_attribute("data-theme") == "dark"
+        for name, dialog in _dialogs(bench):
+            dialog.wait_for()
+            wrong[name, size] = dialog.evaluate(DIALOG)
+            page.keyboard.press("Escape")
+            dialog.wait_for(state="hidden")
     assert {name: found for name, found in wrong.items() if found} == {}
-    assert len(wrong) == 9
+    assert len(wrong) == 2 * 9
 
 
 def _dialogs(bench: Bench) -> Any:

@@ -9,8 +9,8 @@ from typing import Any
 import pytest
 
 import groundslab as gs
-from groundslab.design.basis.check import UNJUDGED, DesignCheck, Unjudged
-from groundslab.design.checks import check_design
+from groundslab.design.basis.check import UNJUDGED, Unjudged
+from groundslab.design.checks import Design, check_design
 from groundslab.model.model import Model
 
 STEEL: dict[str, Any] = {"f_ck": "30 MPa", "f_yk": "500 MPa", "bottom": ["40 mm", "60 mm"], "top": ["40 mm", "60 mm"]}
@@ -38,9 +38,9 @@ def slab(**changes: Any) -> Model:
     return Model(**parts | changes)
 
 
-def made(model: Model) -> tuple[DesignCheck, ...]:
+def made(model: Model) -> Design:
     """Return the checks of a model."""
-    return check_design(gs.solve(model)).checks
+    return check_design(gs.solve(model))
 
 
 def plate(*, corners: bool) -> dict[str, Any]:
@@ -144,7 +144,8 @@ CASES: dict[str, tuple[dict[str, Any], dict[str, Any], str]] = {
 def test_both_ways(name: str) -> None:
     """The one case ends without a verdict for that reason and for no other; the nearest one has none that does."""
     open_case, judged_case, about = CASES[name]
-    ends = made(slab(**open_case))
+    design = made(slab(**open_case))
+    ends = design.checks
     reasons = {each.unjudged.name: each for each in ends if each.unjudged is not None}
     assert name in reasons
     check = reasons[name]
@@ -153,9 +154,8 @@ def test_both_ways(name: str) -> None:
     assert check.unjudged is not None
     assert check.words.startswith("not judged: ")
     assert check.words.endswith(check.unjudged.do)
-    headline = check_design(gs.solve(slab(**open_case))).headline
-    assert f"Not judged: {len([each for each in ends if each.unjudged])} of {len(ends)} (" in headline
-    judged = made(slab(**judged_case))
+    assert f"Not judged: {len([each for each in ends if each.unjudged])} of {len(ends)} (" in design.headline
+    judged = made(slab(**judged_case)).checks
     assert name not in {each.unjudged.name for each in judged if each.unjudged is not None}
 
 

@@ -133,9 +133,11 @@ def test_utilizations_are_those_of_the_case_that_is_written(name: str) -> None:
 
 
 @pytest.mark.slow
-def test_bars_change_the_stiffness_of_cracked_slabs() -> None:
+def test_bars_change_the_stiffness_of_cracked_slabs(monkeypatch: pytest.MonkeyPatch) -> None:
     """Where concrete cracks, what is listed is of the slab with the bars that are proposed."""
-    comparison = compare_designs(EXAMPLES / "cracked_footing.toml")
+    monkeypatch.setattr(module, "drop_panels", lambda *_: None)
+    only(monkeypatch)
+    comparison = compare_designs(casefile.load(EXAMPLES / "cracked_footing.toml").replace(mesh={"size": 0.5}))
     alternative = comparison["bars proposed"]
     results = solve(casefile.loads(alternative.text))
     largest = max(each.plate.settlement.max() for each in results.values())
@@ -143,25 +145,37 @@ def test_bars_change_the_stiffness_of_cracked_slabs() -> None:
     assert comparison["as drawn"].settlement != pytest.approx(largest, rel=1e-3)
 
 
-def panel_of(text: str) -> DesignAlternative:
+#: The same raft on larger elements.
+COARSE = RAFT.replace('size = "0.5 m"', 'size = "1 m"')
+
+
+def only(monkeypatch: pytest.MonkeyPatch, *names: str) -> None:
+    """Let slabs of no other thicknesses be tried."""
+    monkeypatch.setattr(
+        module, "other_thicknesses", lambda *case: [each for each in other_thicknesses(*case) if each.name in names]
+    )
+
+
+def panel_of(text: str, monkeypatch: pytest.MonkeyPatch) -> DesignAlternative:
     """Return the slab with drop panels."""
+    only(monkeypatch)
     return next(each for each in compare_texts(text, None).alternatives if each.name.startswith("drop panels"))
 
 
 @pytest.mark.slow
-def test_drop_panels_never_thin_the_slab() -> None:
+def test_drop_panels_never_thin_the_slab(monkeypatch: pytest.MonkeyPatch) -> None:
     """Beside a thicker zone they are thicker than that, too, where they cover it."""
     zone = 'thickness = "0.6 m"\nshape = {kind = "rectangle", x = ["-4 m", "-2.9 m"]'
-    text = RAFT.replace(zone, zone.replace("0.6 m", "0.9 m").replace("-2.9 m", "-2 m"))
-    assert text != RAFT
-    zone_of_panel = casefile.loads(panel_of(text).text).plate.zones[1]
+    text = COARSE.replace(zone, zone.replace("0.6 m", "0.9 m").replace("-2.9 m", "-2 m"))
+    assert text != COARSE
+    zone_of_panel = casefile.loads(panel_of(text, monkeypatch).text).plate.zones[1]
     assert zone_of_panel.thickness == pytest.approx(1.0)
 
 
 @pytest.mark.slow
-def test_drop_panels_are_on_the_plate_of_their_column() -> None:
+def test_drop_panels_are_on_the_plate_of_their_column(monkeypatch: pytest.MonkeyPatch) -> None:
     """A column on a second plate has its panel in that plate's zones."""
-    joined = RAFT.replace(
+    joined = COARSE.replace(
         'length_x = "8 m"\nlength_y = "5 m"\n',
         'name = "left"\noutline = {kind = "rectangle", x = ["-12 m", "-4 m"], y = ["-2.5 m", "2.5 m"]}\n',
     )
@@ -179,7 +193,7 @@ kind = "hinge"
 
 """
     weight = '\n[[loads]]\ncase = "G"\nkind = "uniform"\nq = "10 kPa"\n'
-    model = casefile.loads(panel_of(joined[: zone[0]] + second + joined[zone[1] :] + weight).text)
+    model = casefile.loads(panel_of(joined[: zone[0]] + second + joined[zone[1] :] + weight, monkeypatch).text)
     assert model.plate.zones == ()
     (panel,) = model.plates[0].zones
     assert panel.thickness == pytest.approx(0.6)
@@ -197,6 +211,7 @@ def test_notes_are_in_every_output() -> None:
 @pytest.mark.slow
 def test_one_without_bars_does_not_end_the_comparison(monkeypatch: pytest.MonkeyPatch) -> None:
     """Where none are found for one alternative, it is named and the others are there."""
+    only(monkeypatch, "50 mm thicker")
     propose = module.propose_bars
 
     def refuse_drawn(results: groundslab.Results) -> BarProposal:
@@ -205,7 +220,7 @@ def test_one_without_bars_does_not_end_the_comparison(monkeypatch: pytest.Monkey
         return propose(results)
 
     monkeypatch.setattr(module, "propose_bars", refuse_drawn)
-    comparison = compare_texts(RAFT.replace('size = "0.5 m"', 'size = "1 m"'), None)
+    comparison = compare_texts(COARSE, None)
     assert "50 mm thicker" in {each.name for each in comparison.alternatives}
     assert any("no bars were found" in note for note in comparison.notes)
 
@@ -290,10 +305,11 @@ def test_alternatives_without_a_result_are_named(monkeypatch: pytest.MonkeyPatch
 
 
 @pytest.mark.slow
-def test_command(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_command(tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> None:
     """It prints a table or JSON, and writes the case with the alternative that is taken."""
+    only(monkeypatch, "50 mm thicker")
     case, target = tmp_path / "raft.toml", tmp_path / "thicker.toml"
-    case.write_text(RAFT.replace('size = "0.5 m"', 'size = "1 m"'), encoding="utf-8")
+    case.write_text(COARSE, encoding="utf-8")
     command = ["compare-designs", str(case)]
     assert main.main([*command, "--take", "50 mm thicker"]) == 2
     assert main.main([*command, "--take", "50 mm thicker", "-o", str(target), "--json"]) == 0
