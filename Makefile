@@ -13,8 +13,8 @@ JOBS   ?= 2
 PYTHONS ?= 3.11 3.12 3.13 3.14
 # cases that dist-pythons verifies, such as CASES="beam paper"; all if there are none
 CASES  ?=
-# where another solver can make a difference: what factorizes, and whole slabs of every kind, which need a certificate
-SOLVING := tests/unit/solvers tests/unit/analysis tests/docs/test_examples.py tests/verification/test_cases.py
+# where another solver can make a difference: what factorizes, joints, random slabs and all examples but the slow ones
+SOLVING := tests/unit/solvers tests/unit/analysis tests/docs/test_examples.py tests/verification/test_joints.py tests/properties/test_random_plates.py
 # further options for pytest, such as OPTIONS="-k punching"
 OPTIONS ?=
 # options for the bench, such as BENCH=--resume
