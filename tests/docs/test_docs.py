@@ -117,7 +117,7 @@ def test_modules_that_the_docs_name_are_there() -> None:
         (path, name)
         for page in PAGES
         for path, name in re.findall(
-            r"`((?:[a-z]\w*/)+\w+)(?:\.(?!(?:py|html)\b)(\w+))?`", page.read_text(encoding="utf-8")
+            r"`((?:[a-z]\w*/)+\w+)(?:\.(?!(?:py|html|toml)\b)(\w+))?`", page.read_text(encoding="utf-8")
         )
         if (PACKAGE / path.split("/")[0]).is_dir()
     }

@@ -1,4 +1,4 @@
-"""Walls with a height by ACI 318-19, as deep beams (9.9): distributed bars and the largest shear force.
+"""Walls with a height by ACI 318-19, as deep beams (section 9.9): distributed bars and the largest shear force.
 
 A_v >= 0.0025 b s,  A_vh >= 0.0025 b s_2        9.9.3.1, as 11.6.2 asks of walls
 V_u <= phi 0.83 (f'c)^(1/2) b d                 9.9.2.1, with d = 0.9 h

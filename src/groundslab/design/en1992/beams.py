@@ -6,8 +6,8 @@ Links carry shear (6.2.3) and the walls of a tube torsion (6.3.2), with struts o
     A_sw / s = (V_Ed / z + T_Ed / A_k) / (f_ywd cot theta)                     6.8, 6.3.2(2), all legs of closed links
     A_sl = T_Ed u_k cot theta / (2 A_k f_yd)                                                               6.28
 
-That small forces need the least links alone (6.31) is not made use of. With cracks that friction bears (in Germany)
-the flattest struts are those under the stresses of both.
+That small forces need the least links alone (formula 6.31) is not made use of. With cracks that friction bears (in
+Germany) the flattest struts are those under the stresses of both.
 
 Between a web and its flange of thickness h_f (6.2.4), for one of both sides:
 
@@ -116,7 +116,7 @@ def web(steel: Reinforcement, limit_state: str, webs: Web) -> WebNeed:
 
 
 def _shear_of_both(steel: Reinforcement, concrete: Concrete, webs: Web) -> Array:
-    """Return the shear forces per width (k,) [N/m] that ask of struts what shear and torsion do together (6.29)."""
+    """Return the shear forces per width (k,) [N/m] that ask of struts what shear and torsion do, formula 6.29."""
     z = shear.lever(concrete, webs.d, largest_cover(steel))
     return np.asarray(webs.V / webs.b + Tube.of(webs).stress(webs.T) * z / concrete.annex.torsion_struts)
 

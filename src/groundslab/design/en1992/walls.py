@@ -1,4 +1,4 @@
-"""Walls with a height by EN 1992-1-1: least bars of walls (9.6.2, 9.6.3) and deep beams (9.7), struts (6.2.3).
+"""Walls with a height by EN 1992-1-1: least bars of walls (9.6.2, 9.6.3) and deep beams (section 9.7), struts (6.2.3).
 
     A_s,vmin = 0.002 A_c,  A_s,hmin = max(0.25 A_s,v, 0.001 A_c)               9.6.2(1), 9.6.3(1), recommended
     A_s,dbmin = max(0.001 A_c, 1.5 cm2/m) at each face in each direction       9.7(1), recommended

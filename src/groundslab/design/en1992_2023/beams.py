@@ -1,6 +1,6 @@
 """Beams by EN 1992-1-1:2023 beyond what they share with slabs: least bars (12.2(2)), links, torsion, flanges.
 
-Links carry shear (8.2.3) and, with struts of 45 degrees, the torsion of a tube (8.3):
+Links carry shear (8.2.3) and, with struts of 45 degrees, the torsion of a tube (clause 8.3):
 
     A_sw / s = V_Ed / (z f_ywd cot theta) + T_Ed / (A_k f_ywd)                 8.42, 8.82, all legs of closed links
     A_sl = T_Ed u_k / (2 A_k f_yd)                                             8.83
