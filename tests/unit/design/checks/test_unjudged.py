@@ -162,7 +162,7 @@ def test_both_ways(name: str) -> None:
 @pytest.mark.parametrize("load", [{"P": -10e3}, {"P": 0.0, "M_x": 10e3}])
 def test_what_pulls_or_only_turns_is_judged(load: dict[str, float]) -> None:
     """A column that pulls at the slab, or turns it without a force, is judged as one that pushes is."""
-    ends = made(slab(loads=[LOAD | load, WEIGHT]))
+    ends = made(slab(loads=[LOAD | load, WEIGHT])).checks
     assert not [each.words for each in ends if each.unjudged is not None]
     assert [each.of for each in ends if each.name == "punching within 2 d"] == ["C"]
 
