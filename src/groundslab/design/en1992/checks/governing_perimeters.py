@@ -361,9 +361,10 @@ def _stress(results: CombinationResult, site: _Site, control: ControlPerimeter) 
     shear = perimeter_loads.punching_shear(
         results, control.loads, site.punching, control.center, edge_relieves=site.steel.line_force_relieves
     )
-    applied = site.punching.pushing(results)[1:]
-    raised = _raised(site, control, shear.moments, shear.V, applied)
-    beta = raised / shear.V if shear.V > 0 else None
+    pushing = site.punching.pushing(results)
+    alone = shear.V <= 0 or perimeter_loads.only_turns(pushing)
+    raised = _raised(site, control, shear.moments, shear.V, None if alone else pushing[1:])
+    beta = None if alone else raised / shear.V
     turned = control.course.frame @ shear.moments
     v_Ed = raised / (control.u * site.d)
     return Stress(
@@ -393,7 +394,7 @@ def _face_stress(results: CombinationResult, site: _Site, face: ControlPerimeter
     moments = applied + force * (np.array(site.punching.place) - outer.center)
     alone = stress.V_Ed <= 0 or perimeter_loads.only_turns(pushing)
     beta = None if alone else _raised(site, outer, moments, force, applied) / force
-    raised = stress.V_Ed + _raised(site, outer, moments, 0.0, applied) if beta is None else beta * stress.V_Ed
+    raised = stress.V_Ed + _raised(site, outer, moments, 0.0, None) if beta is None else beta * stress.V_Ed
     return replace(
         stress,
         beta=beta,
@@ -402,17 +403,17 @@ def _face_stress(results: CombinationResult, site: _Site, face: ControlPerimeter
     )
 
 
-def _raised(site: _Site, control: ControlPerimeter, moments: Array, force: float, applied: Array) -> float:
+def _raised(site: _Site, control: ControlPerimeter, moments: Array, force: float, applied: Array | None) -> float:
     """Return beta times a force [N] of moments (2,) [N m] along x and y about a perimeter's center (6.4.3, 6.4.4(2)).
 
     Values for edges and corners (6.4.3(4) and (5), Figure 6.21N) are for perimeters without openings and for moments
-    `applied` (2,) [N m] of the column that do not bend it outwards; else 6.39 counts, if it is larger, as it does where
-    no force pushes. None is less than that of the annex.
+    `applied` (2,) [N m] of the column that do not bend it outwards; else 6.39 counts, if it is larger, and without them
+    it counts alone, as no force pushes. None is less than that of the annex.
     """
     least = materials(site.steel)[0].annex.least_beta * force
     turned, shape = control.course.frame @ moments, control.course.shape
     general = en1992.raised(list(turned), list(control.shares), force, control.u, list(control.moduli))
-    if force <= 0:
+    if applied is None:
         return general
     if shape == "closed":
         return max(least, general)
