@@ -62,6 +62,7 @@ WRONG: dict[str, tuple[Any, str]] = {
         'model: found "x.toml", expected a Model; groundslab.load("x.toml") reads it',
     ),
     "path": (lambda: gs.solve(Path("x.toml")), 'groundslab.load("x.toml") reads it'),
+    "compare": (lambda: gs.compare_grounds("x.toml"), 'groundslab.load("x.toml") reads it'),
     "check": (lambda: gs.check(PLATE), "model: found a Plate, expected a Model"),
     "tables": (
         lambda: gs.tables_of(synthetic.results()),

@@ -27,6 +27,7 @@ from groundslab.model.model import Model
 from groundslab.results.fields import extreme
 from groundslab.results.record import Constants
 from groundslab.results.results import CombinationResult, Results
+from groundslab.schema.issues import require
 from groundslab.schema.wording import one_of, quote, suggestion
 
 #: A figure below this share of the largest of its unit on the continuum has no difference in percent.
@@ -168,6 +169,7 @@ def compare_grounds(
     >>> comparison = groundslab.compare_grounds(groundslab.load("case.toml"))
     >>> springs = comparison["winkler"].ground
     """
+    require(model, Model, name="model")
     report = on_begin or (lambda _: None)
     soil = find_soil(model)
     base = on_continuum(model, soil)
