@@ -110,9 +110,12 @@ def shape_of(legs: Array) -> Shape:
 
 
 def cuts_strips(legs: Array) -> bool:
-    """Return whether a perimeter of legs (l, 2, 2) consists of several parts, each of which cuts from edge to edge."""
-    parts = chains(legs)
-    return len(parts) > 1 and all(_turn(part) <= STRIP for part in parts)
+    """Return whether a perimeter of legs (l, 2, 2) consists of several parts, each of which cuts from edge to edge.
+
+    Together they do not turn all around, as those between small openings do.
+    """
+    turns = [_turn(part) for part in chains(legs)]
+    return len(turns) > 1 and max(turns) <= STRIP and sum(turns) <= TURNED["closed"]
 
 
 def _turn(chain: Array) -> float:

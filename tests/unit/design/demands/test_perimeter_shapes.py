@@ -8,7 +8,7 @@ from shapely import get_coordinates
 
 import groundslab as gs
 from groundslab.design.checks import check_design
-from groundslab.design.demands.line_properties import course
+from groundslab.design.demands.line_properties import course, cuts_strips
 from groundslab.design.demands.perimeters import RectangularColumn
 from groundslab.design.en1992 import punching as en1992
 from groundslab.design.en1992.checks.governing_perimeters import reduced_share
@@ -33,6 +33,18 @@ def legs(*points: tuple[float, float]) -> np.ndarray:
 def test_a_perimeter_is_told_by_how_far_it_turns(line: np.ndarray, shape: str) -> None:
     """All around, half around, a quarter, hardly."""
     assert course(line, np.eye(2)).shape == shape
+
+
+def test_what_is_between_small_openings_is_no_strip() -> None:
+    """Two cuts, or four across the arms of a crossing, leave strips; four quarters around a column do not."""
+    two = np.concatenate([legs((1, -1), (1, 1)), legs((-1, 1), (-1, -1))])
+    assert cuts_strips(two)
+    assert cuts_strips(np.concatenate([two, 0.9 * two[:, :, ::-1]]))
+    assert not cuts_strips(legs((1, -1), (1, 1)))
+    arc = np.radians([5, 25, 45, 65, 85])
+    quarter = np.column_stack([np.cos(arc), np.sin(arc)])
+    sides = [quarter, quarter @ [[0, 1], [-1, 0]], -quarter, quarter @ [[0, -1], [1, 0]]]
+    assert not cuts_strips(np.concatenate([legs(*map(tuple, side)) for side in sides]))
 
 
 def test_the_reduced_perimeter_at_an_edge() -> None:
