@@ -77,7 +77,8 @@ def tables(size: float) -> dict[str, Table]:
     section = {"kind": "rib", "width": 0.3, "height": 0.4, "effective_width": 1.0}
     beams = [{"name": "R", "points": [(-3, 1.5), (3, 1.5)], "section": section}]
     loads = [{"kind": "patch", "q": 90e3, "x": (-2, 0), "y": (0, 2), "case": case} for case in "GQ"]
-    ribbed = slab(size, **none | {"reinforcement": STEEL, "beams": beams, "loads": loads})
+    walls = [{"name": "H", "thickness": 0.25, "height": 1.0, "points": [(-3, -1), (3, -1)]}]
+    ribbed = slab(size, **none | {"reinforcement": STEEL, "beams": beams, "walls": walls, "loads": loads})
     bar = {"kind": "rectangle", "width": 0.3, "height": 0.6}
     frame = {"storeys": [3.0], "E": 30e9, "beams": [{"through": ["A", "B", "W"], "section": bar}]}
     framed = slab(size, output={}, reinforcement=None, building=frame)
