@@ -41,7 +41,7 @@ def solved(code: str, P: float = 0.0, pile: float | None = None, M_x: float = 0.
         combinations=[{"name": "ULS", "factors": {"G": 1.35}}],
         reinforcement=STEEL | {"code": code},
     )
-    one = synthetic.results(12, model=model, combination="ULS", limit_state="ultimate", factors={"G": 1.35})
+    one = synthetic.results(24, model=model, combination="ULS", limit_state="ultimate", factors={"G": 1.35})
     flat = np.zeros(len(one.plate.nodes))
     fields = {"moment_x": flat, "moment_y": flat, "moment_xy": flat, "pressure": flat + PRESSURE}
     zero = np.zeros(1)
