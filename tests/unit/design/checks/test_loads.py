@@ -32,7 +32,7 @@ kind = "winkler"
 k = "20 MPa/m"
 
 [mesh]
-counts = [6, 4]
+counts = [18, 12]
 
 [[cases]]
 name = "G"

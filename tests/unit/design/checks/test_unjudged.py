@@ -139,7 +139,7 @@ CASES: dict[str, tuple[dict[str, Any], dict[str, Any], str]] = {
 
 def test_a_straight_piece_of_a_perimeter() -> None:
     """Openings on three sides leave a straight piece of the perimeter, which resists no moment (6.40 gives W = 0)."""
-    (check,) = [each for each in made(slab(plate=plate(sides=3))) if each.unjudged is not None]
+    (check,) = [each for each in made(slab(plate=plate(sides=3))).checks if each.unjudged is not None]
     assert check.name == "punching within 2 d without a perimeter"
     assert "straight" in check.words
 
