@@ -46,9 +46,9 @@ def test_folders_are_listed_in_the_order_of_the_contract() -> None:
 
 
 def test_folders_stay_small() -> None:
-    """At most a dozen modules lie in a folder beside what it exports."""
+    """At most fifteen modules lie in a folder beside what it exports, so that it can be read at a glance."""
     for folder in (path.parent for path in PACKAGE.rglob("__init__.py")):
-        assert len([path for path in folder.glob("*.py") if path.stem != "__init__"]) <= 12, folder
+        assert len([path for path in folder.glob("*.py") if path.stem != "__init__"]) <= 15, folder
 
 
 def test_functions_stay_short() -> None:

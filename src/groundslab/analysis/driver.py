@@ -46,8 +46,6 @@ def solve(
 ) -> Results:
     """Solve every combination of a model, and return the certified results.
 
-    Meshes, matrices and factors are kept from one combination to the next.
-
     Parameters
     ----------
     model : Model

@@ -26,6 +26,7 @@ from groundslab.design.tables.structure.walls import wall_limit_table, wall_rein
 from groundslab.design.tables.summary import acting_cases, combinations, extremes, tilts
 from groundslab.design.tables.supports import joint_table, support_table
 from groundslab.design.tables.table import Column, Table, in_units
+from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.model.ground import ContinuousGround
 from groundslab.model.names import names_of
 from groundslab.model.structure.beams import GivenSection
@@ -134,24 +135,36 @@ def _makers(combined: Results) -> dict[str, Callable[[], Table]]:
         makers["storeys"] = lambda: storey_table(combined)
     if model.columns:
         makers |= {"columns": columns, "column_envelope": lambda: column_envelope(combined, columns())}
-    if model.reinforcement is not None and punching_piles(model):
-        makers["pile_punching"] = lambda: errors.with_errors(pile_punching, combined)
-    if model.reinforcement is not None and zone_forces(combined):
-        makers["zone_punching"] = lambda: errors.with_errors(zone_punching, combined)
-    if model.reinforcement is not None and loaded_ends(model):
-        makers["wall_punching"] = lambda: errors.with_errors(wall_punching, combined)
     if model.reinforcement is not None:
-        needs = partial(reinforcement, steel=model.reinforcement)
-        makers["reinforcement"] = lambda: errors.with_errors_of_governing(needs, combined)
-        if any(not isinstance(beam.section, GivenSection) for beam in model.beams):
-            of_beams = partial(beam_reinforcement, steel=model.reinforcement)
-            makers["beam_reinforcement"] = lambda: errors.with_errors_of_governing(of_beams, combined)
-        if code_of(model.reinforcement).walls and any(wall.height is not None for wall in model.walls):
-            of_walls = partial(wall_reinforcement, steel=model.reinforcement)
-            makers["wall_reinforcement"] = lambda: errors.with_errors_of_governing(of_walls, combined)
-        links = punching_links(combined)
-        if links:
-            makers["shear_reinforcement"] = lambda: shear_reinforcement(combined)
-        if model.reinforcement.laid:
-            makers["bars"] = lambda: bars(model, links)
+        makers |= _of_reinforcement(combined, model.reinforcement)
+    return makers
+
+
+def _of_reinforcement(combined: Results, steel: Reinforcement) -> dict[str, Callable[[], Table]]:
+    """Return the functions for tables of a design with bars."""
+    model = combined.model
+    makers: dict[str, Callable[[], Table]] = {}
+    if punching_piles(model):
+        makers["pile_punching"] = lambda: errors.with_errors(pile_punching, combined)
+    if zone_forces(combined):
+        makers["zone_punching"] = lambda: errors.with_errors(zone_punching, combined)
+    if loaded_ends(model):
+        makers["wall_punching"] = lambda: errors.with_errors(wall_punching, combined)
+    wanted = {
+        "reinforcement": (True, reinforcement),
+        "beam_reinforcement": (
+            any(not isinstance(beam.section, GivenSection) for beam in model.beams), beam_reinforcement,
+        ),
+        "wall_reinforcement": (
+            code_of(steel).walls and any(wall.height is not None for wall in model.walls), wall_reinforcement,
+        ),
+    }  # fmt: skip
+    for name, (asked, make) in wanted.items():
+        if asked:
+            makers[name] = partial(errors.with_errors_of_governing, partial(make, steel=steel), combined)
+    links = punching_links(combined)
+    if links:
+        makers["shear_reinforcement"] = lambda: shear_reinforcement(combined)
+    if steel.laid:
+        makers["bars"] = lambda: bars(model, links)
     return makers

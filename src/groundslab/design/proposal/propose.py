@@ -76,8 +76,8 @@ def propose_bars(results: Results) -> BarProposal:
 
     What bending and the minimum require at the points of the mesh in ultimate combinations is covered everywhere, the
     minimum also where a face may be in tension on another mesh, with the shift of moments and the anchorage of the
-    zones' bars; where the case limits crack widths, these too. The bars
-    are those that ``reinforcement.proposal`` allows; those that the case has are not looked at.
+    zones' bars; where the case limits crack widths, these too. The bars are those that ``reinforcement.proposal``
+    allows; those that the case has are not looked at.
 
     Parameters
     ----------
@@ -106,9 +106,8 @@ def propose_bars(results: Results) -> BarProposal:
     """
     require(results, Results, name="results")
     steel, code = _steel_and_code(results)
-    rule = code.detailing
+    rule, plate = code.detailing, ultimate_results(results)[0].plate
     assert rule is not None
-    plate = ultimate_results(results)[0].plate
     region = get_plate_region(results.model.plate, results.model.plates)
     grid = make_grid(region.area, steel.proposal.rounding)
     cells = locate_cells(grid, plate)

@@ -139,7 +139,6 @@ def _demand(
     punching, others = forces
     concrete, bars = materials(steel, results.limit_state)
     shear = _shear(results, section.relieved, section, punching, steel)
-    with_links = _shear(results, section.inside, section, punching, steel)
     beta_e, e_or_M, turned = _beta(results, section, punching, shear)
     concentrated = _concentrated(results, section, punching, others, shear.V)
     a_p = _contraflexure(results, section, punching)
@@ -172,7 +171,7 @@ def _demand(
         a_pd=en1992.depth_by_contraflexure(a_p, section.d),
         a_p=a_p,
         V_Ed=shear.V,
-        V_links=with_links.V,
+        V_links=_shear(results, section.inside, section, punching, steel).V,
         beta_e=beta_e,
         tau_Ed=stress(results),
         of_analysis=_of_analysis(results, section, punching),
