@@ -307,7 +307,7 @@ class TestSeveral:
         fake(monkeypatch, "analysis.driver", solve=lambda *_: synthetic.combined())
         assert main.main(["solve", str(cases)]) == 3
         out, err = capsys.readouterr()
-        assert out.startswith("FOUNDATION FAILS (1 of 2 checks fails): static equilibrium: none in ")
+        assert out.startswith("FOUNDATION FAILS (1 of 3 checks fails): static equilibrium: none in ")
         assert "FOUNDATION FAILS: the loads pull the plate off" in out
         assert "not solved: the result does not satisfy the equations" in out
         assert 'error: combination "uncertified": the result does not satisfy the equations' in err

@@ -304,7 +304,7 @@ class TestOverview:
         assert lines[place + 1].split() == ["10000", "56.000", "0", "100.00", "3", "ok"]
         assert "not solved: the result does not satisfy the equations" in text
         assert "    FOUNDATION FAILS: the loads pull the plate off" in lines
-        assert lines[0].startswith('FOUNDATION FAILS (1 of 2 checks fails): static equilibrium: none in "wind')
+        assert lines[0].startswith('FOUNDATION FAILS (1 of 3 checks fails): static equilibrium: none in "wind')
         assert "FOUNDATION FAILS: no equilibrium in 1 of 4 combinations, number 4." in lines
         assert "FAILED: no certified result in 1 of 4 combinations, number 3." in lines
         assert text.count("unknowns") == text.count("elements on the plate") == 1

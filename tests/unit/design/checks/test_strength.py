@@ -225,7 +225,8 @@ def test_failure_comes_first_on_the_terminal(of: Results) -> None:
 def test_failure_comes_first_in_json(of: Results) -> None:
     """The design stands before any figure, with its verdict, its words, and each check."""
     document = json.loads(json_text(of))
-    assert list(document)[:7] == ["program", "version", "format", "title", "certified", "provisional", "design"]
+    heads = ["program", "version", "format", "environment", "title", "certified", "provisional", "design"]
+    assert list(document)[: len(heads)] == heads
     assert document["certified"] is True
     assert document["design"]["status"] == "fails"
     assert document["design"]["headline"].startswith("DESIGN FAILS")
