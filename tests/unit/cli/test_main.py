@@ -312,8 +312,8 @@ class TestSeveral:
         assert "not solved: the result does not satisfy the equations" in out
         assert 'error: combination "uncertified": the result does not satisfy the equations' in err
         assert "error: 1 of 4 combinations have no certified result" in err
-        assert 'none in "wind alone": the loads pull the plate off. Not judged: 1 of 2 (unsolved ' in err
-        assert "combinations). Exit code 3." in err
+        assert 'none in "wind alone": the loads pull the plate off. Not judged: 2 of 3 (unsolved ' in err
+        assert "combinations, edges that hold down). Exit code 3." in err
         assert len(results_folder.load_results(cases.with_name("raft-results")).results) == 2
 
     def test_json_and_quiet(
