@@ -1,7 +1,8 @@
 """What bears the slab without being known: point supports without a size, and edges of the plate that are held.
 
 Punching over a support without a diameter cannot be checked. Supported edges have no limit, and the analysis keeps no
-force of theirs: what they carry is the rest of the loads. Where that pulls the plate down, no check sees what holds it.
+force of theirs: what they carry is the rest of the loads. Where that pulls the plate down, or the loads' resultant does
+not lie over the plate, no check sees what holds it.
 """
 
 from __future__ import annotations
@@ -10,6 +11,8 @@ from collections.abc import Iterator
 
 from groundslab.design.basis.check import HELD_EDGE, DesignCheck, not_judged, some
 from groundslab.design.basis.combinations import solved_results
+from groundslab.design.demands.loads.column_loads import acting_inside, factored_sums
+from groundslab.design.demands.perimeters import outline
 from groundslab.design.demands.support_forces import NOTHING
 from groundslab.model.loads.load_cases import SERVICEABILITY
 from groundslab.model.model import Model
@@ -33,15 +36,15 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
         yield DesignCheck(PUNCHING, "not checked", words)
     if not _has_held_edges(model):
         return
-    pulls = [(-_carried_by_edges(result), result) for result in solved_results(combined)]
-    pull, worst = max(
-        ((pull, result) for pull, result in pulls if result.limit_state not in SERVICEABILITY),
-        key=lambda each: each[0],
-        default=(0.0, None),
-    )
+    results = [result for result in solved_results(combined) if result.limit_state not in SERVICEABILITY]
+    pulls = [(-_carried_by_edges(result), result) for result in results]
+    pull, worst = max(pulls, key=lambda each: each[0], default=(0.0, None))
     if worst is not None and pull > NOTHING * abs(worst.certificate.load):
         words = f'supported edges hold the plate down with {pull / 1e3:.4g} kN in "{worst.combination}"'
         yield not_judged(HELD, HELD_EDGE, words, combination=worst.combination)
+    elif tilting := [result.combination for result in results if _tilts_without_edges(result)]:
+        words = f"without its supported edges the plate tilts in {some(tilting)}"
+        yield not_judged(HELD, HELD_EDGE, words, combination=tilting[0])
     else:
         yield DesignCheck(HELD, "not checked", "what supported edges of the plate carry is not checked")
 
@@ -55,3 +58,13 @@ def _carried_by_edges(results: CombinationResult) -> float:
     """Return what the plate's edges push up [N]: what neither ground nor supports carry of the loads."""
     ground = float(results.plate.contact_force.sum())
     return results.certificate.load - ground - sum(support.total for support in results.supports)
+
+
+def _tilts_without_edges(results: CombinationResult) -> bool:
+    """Return whether the loads' resultant does not lie over the plate, so that pressure under it cannot balance it."""
+    from shapely import Point
+
+    under = outline(results.plate).convex_hull
+    force, *moments = factored_sums(results, acting_inside(results, under, ())).tolist()
+    least = NOTHING * abs(results.certificate.load)
+    return force < -least or (force > least and not under.covers(Point(moments[0] / force, moments[1] / force)))

@@ -107,6 +107,9 @@ OPTIONS: dict[str, dict[str, Any]] = {
     "ground with shear": SHEAR_GROUND,
     "ground beyond": SHEAR_GROUND | {"beyond": {"kind": "infinite"}},
     "anchors": {"supports": [{"kind": "point", "x": x, "y": y, "stiffness": 50e6} for x in (-2, 2) for y in (-1, 1)]},
+    "clamped edges": {"plate": SLAB["plate"] | {"support": "clamped"}},
+    "clamped edge": {"plate": SLAB["plate"] | {"edges": {"left": "clamped"}}},
+    "hinged edge": {"plate": SLAB["plate"] | {"edges": {"left": "hinged"}}},
     "line": {"supports": [{"kind": "line", "points": [(x, -2.0), (x, 2.0)]} for x in (-2.0, 2.0)]},
 }
 
@@ -126,7 +129,11 @@ def test_options_hide_no_failure(option: str, load: str) -> None:
         "mesh": {"size": 1.0},
     }
     design = check_design(solve_combinations(Model(**SLAB | parts | OPTIONS[option])))
-    if "supports" in OPTIONS[option]:
+    if "clamped" in option:
+        (check,) = [each for each in design.checks if each.name == "edges that hold down"]
+        assert design.status == check.status == "attention"
+        assert check.words.startswith("not judged: ")
+    elif "supports" in OPTIONS[option]:
         (check,) = [each for each in design.checks if each.name == "supports that hold down"]
         assert design.status == check.status == "attention"
         assert check.words.startswith("not judged: what holds the plate down has no limit, ")
