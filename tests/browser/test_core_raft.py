@@ -198,8 +198,9 @@ def _add_checks(hands: Hands) -> None:
         hands.bench.until(lambda before=before: hands.bench.text() != before)
     for layer in ("bottom x", "bottom y", "top x", "top y"):
         hands.click(hands.page.get_by_role("button", name=f"Add {layer}"))
-        hands.fill({"diameter": "20 mm", "spacing": "150 mm"}, "reinforcement", layer.replace(" ", "_"))
-    hands.bench.wait_text('top_y = {diameter = "20 mm", spacing = "150 mm"}')
+        key = layer.replace(" ", "_")
+        hands.fill({"diameter": "20 mm", "spacing": "150 mm"}, "reinforcement", key)
+        hands.bench.wait_text(f'{key} = {{diameter = "20 mm", spacing = "150 mm"}}')
 
 
 def test_a_raft_with_a_core(server: Server, bench: Bench) -> None:

@@ -31,6 +31,12 @@ CLOSE, DIVIDED, TIMES = 0.15, 3, 2
 SMALL = 1 / 8
 #: Edges meet at a corner if the sine of the angle between them is above this.
 BENT = 1e-6
+#: Distances that differ by less than this share are one, so that no unit of length counts.
+ROUNDING = 1e-6
+#: Parts of moments are told apart at a corner if what is theirs alone is above this share.
+PARALLEL = 0.1
+#: By which m_x, m_y, m_xy are a vector whose length does not depend on the axes.
+WEIGHTS = np.array([1.0, 1.0, np.sqrt(2)])
 #: Of so many nodes at a time, to spare memory.
 CHUNK = 512
 
@@ -73,14 +79,19 @@ class DiscMeans:
         if not len(self.nodes):
             return moments
         means = self.matrix @ moments
+        if self.across:
+            rows, of, off = (np.concatenate(parts) for parts in zip(*self._across(moments, means), strict=True))
+            means += _corrections(rows, of, off, len(means))
+        return self._with(moments, means)
+
+    def _across(self, moments: Array, means: Array) -> Iterator[tuple[Integers, Array, Array]]:
+        """Yield rows (k,) whose m_n or m_nt edges change, what of m_x, m_y, sqrt(2) m_xy it is (k, 3), by how much."""
         for edge in self.across:
             x, y = edge.normal
-            bending = np.array([x * x, y * y, 2 * x * y]), [x * x, y * y, x * y]
-            twist = np.array([-x * y, x * y, x * x - y * y]), [-2 * x * y, 2 * x * y, x * x - y * y]
-            for of, back in (bending,) if edge.twists else (bending, twist):
-                off = edge.matrix @ (moments @ of) - means[edge.rows] @ of
-                means[edge.rows] += off[:, None] * back
-        return self._with(moments, means)
+            bending, twist = [x * x, y * y, np.sqrt(2) * x * y], [-x * y, x * y, (x * x - y * y) / np.sqrt(2)]
+            for of in (bending,) if edge.twists else (bending, twist):
+                off = edge.matrix @ (moments @ (of * WEIGHTS)) - means[edge.rows] @ (of * WEIGHTS)
+                yield edge.rows, np.tile(of, (len(off), 1)), off
 
     def _with(self, field: Array, means: Array) -> Array:
         """Return a field (n, ...) with means (r, ...) at these nodes."""
@@ -88,6 +99,23 @@ class DiscMeans:
         found[self.nodes] = means
         found[self.between] = found[self.corners].mean(axis=1)
         return found
+
+
+def _corrections(rows: Integers, of: Array, off: Array, count: int) -> Array:
+    """Return the least changes of m_x, m_y, m_xy (count, 3) by which parts of them in some rows (k,) change so much.
+
+    Edges that meet at a corner may ask for different twisting moments, or be nearly parallel: then the squares of what
+    is missing are least, so that no order of the edges counts.
+    """
+    order = np.argsort(rows, kind="stable")
+    rows, of, off = rows[order], of[order], off[order]
+    unique, start, sizes = np.unique(rows, return_index=True, return_counts=True)
+    place = np.repeat(np.arange(len(unique)), sizes), np.arange(len(rows)) - np.repeat(start, sizes)
+    wanted, asked = np.zeros((len(unique), sizes.max(), 3)), np.zeros((len(unique), sizes.max(), 1))
+    wanted[place], asked[place] = of, off[:, None]
+    changes = np.zeros((count, 3))
+    changes[unique] = (np.linalg.pinv(wanted, PARALLEL) @ asked)[:, :, 0] / WEIGHTS
+    return changes
 
 
 def make_disc_means(model: Model, mesh: Mesh, section: Integers, thickness: Array) -> DiscMeans:
@@ -183,7 +211,8 @@ class _Edge:
         half = np.sqrt(np.maximum(reach**2 - off**2, 0.0))
         # at a corner that points out of the plate its disc may reach past the edge
         low, high = (way - (1 - 2 * corner) * half * side for side, corner in zip((1, -1), self.corners, strict=True))
-        found: Flags = (half > 0) & (low > 0) & (high < self.length)
+        least = ROUNDING * reach
+        found: Flags = (half > least) & (low > least) & (high < self.length - least)
         return found
 
     def faces(self, points: Array) -> Flags:
@@ -233,7 +262,7 @@ def _turn_freely(model: Model, nodes: Array, reach: Array) -> Flags:
     if held.is_empty:
         return np.ones(len(nodes), dtype=bool)
     shapely.prepare(held)
-    found: Flags = ~shapely.dwithin(shapely.points(nodes), held, reach)
+    found: Flags = ~shapely.dwithin(shapely.points(nodes), held, (1 + ROUNDING) * reach)
     return found
 
 

@@ -281,7 +281,7 @@ def perimeter_at(
     cut = _is_cut(around, regions[shortest], ways[shortest][1])
     if cut:
         near_ones = [i for i, (edges, _) in enumerate(stretched) if all(_is_nearer(around, edge) for edge in edges)]
-        around_it = [i for i in near_ones if _goes_around(around, regions[i], ways[i][1])]
+        around_it = [i for i in near_ones if _goes_around(around, regions[i], ways[i][1], len(stretched[i][0]))]
         shortest = min(around_it, key=lengths.__getitem__, default=shortest)
         cut = not around_it
     inside, whole = ways[shortest]
@@ -303,9 +303,14 @@ def _is_cut(around: Surroundings, region: Polygon, way: Array) -> bool:
     return shape_of(way) == "cut" or (around.strips and not _is_in_one(around, region))
 
 
-def _goes_around(around: Surroundings, region: Polygon, way: Array) -> bool:
-    """Return whether legs (l, 2, 2) around a region are in one piece and do not cut the plate."""
-    return not _is_cut(around, region, way) and _is_in_one(around, region)
+def _goes_around(around: Surroundings, region: Polygon, way: Array, edges: int) -> bool:
+    """Return whether legs (l, 2, 2) around a region are in one piece and do not cut the plate.
+
+    One that runs out to a number of edges turns so much at least; less do those that sides of a strip cut off.
+    """
+    if _is_cut(around, region, way) or not _is_in_one(around, region):
+        return False
+    return shape_of(way) in ("closed", "edge") or edges > 1
 
 
 def _is_in_one(around: Surroundings, region: Polygon) -> bool:
