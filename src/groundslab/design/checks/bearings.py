@@ -11,6 +11,7 @@ from collections.abc import Iterator
 
 from groundslab.design.basis.check import HELD_EDGE, DesignCheck, not_judged, some
 from groundslab.design.basis.combinations import solved_results
+from groundslab.design.checks.equilibrium import lies_under
 from groundslab.design.demands.loads.column_loads import acting_inside, factored_sums
 from groundslab.design.demands.perimeters import outline
 from groundslab.design.demands.support_forces import NOTHING
@@ -62,9 +63,6 @@ def _carried_by_edges(results: CombinationResult) -> float:
 
 def _tilts_without_edges(results: CombinationResult) -> bool:
     """Return whether the loads' resultant does not lie over the plate, so that pressure under it cannot balance it."""
-    from shapely import Point
-
     under = outline(results.plate).convex_hull
-    force, *moments = factored_sums(results, acting_inside(results, under, ())).tolist()
-    least = NOTHING * abs(results.certificate.load)
-    return force < -least or (force > least and not under.covers(Point(moments[0] / force, moments[1] / force)))
+    sums = factored_sums(results, acting_inside(results, under, ()))
+    return not lies_under(under, sums, abs(results.certificate.load))

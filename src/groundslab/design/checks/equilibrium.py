@@ -9,10 +9,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
+from groundslab.arrays import Array
 from groundslab.design.basis.calculation import MEGA, Step
 from groundslab.design.basis.check import GLUED, ROUNDING, UNSOLVED, DesignCheck, Status, not_judged, some
 from groundslab.design.basis.combinations import solved_results, ultimate_results
@@ -22,6 +23,9 @@ from groundslab.design.demands.perimeters import outline
 from groundslab.model.loads.load_cases import Combination
 from groundslab.results.fields import place_of
 from groundslab.results.results import CombinationResult, Results
+
+if TYPE_CHECKING:
+    from shapely.geometry.base import BaseGeometry
 
 #: Name and clause of the check of each limit state that is about equilibrium alone.
 _CHECKS = {
@@ -92,19 +96,25 @@ def _lost(results: CombinationResult) -> bool:
 
     What the supports carry is taken as it is: other forces of theirs might do without ground that pulls.
     """
-    from shapely import Point
-
     for plate in results_by_plate(results).values():
-        f, hull = plate.contact_force, outline(plate).convex_hull
-        force, moments = float(f.sum()), f @ plate.nodes
-        rounding, length = ROUNDING * float(np.abs(f).sum()), math.sqrt(hull.area)
-        if abs(force) <= rounding:
-            under = bool(np.abs(moments).max() <= rounding * length)
-        else:
-            under = force > 0 and hull.buffer(ROUNDING * length).contains(Point(moments / force))
-        if not under:
+        f = plate.contact_force
+        sums = np.array([f.sum(), *(f @ plate.nodes)])
+        if not lies_under(outline(plate).convex_hull, sums, float(np.abs(f).sum())):
             return True
     return False
+
+
+def lies_under(hull: BaseGeometry, sums: Array, size: float) -> bool:
+    """Return whether pressure under a convex hull has a resultant of force [N] and first moments [N m] (3,).
+
+    The size [N] of what adds up to it says what is rounding.
+    """
+    from shapely import Point
+
+    force, length = float(sums[0]), math.sqrt(hull.area)
+    if abs(force) <= ROUNDING * size:
+        return bool(np.abs(sums[1:]).max() <= ROUNDING * size * length)
+    return force > 0 and bool(hull.buffer(ROUNDING * length).contains(Point(sums[1:] / force)))
 
 
 def _pulling_ground(combined: Results) -> Iterator[DesignCheck]:

@@ -308,3 +308,18 @@ def test_a_perimeter_on_a_pad_runs_out_to_the_nearer_edge() -> None:
     plate = plate_of(straight(8, 8, 2.0, 2.0))
     line = perimeter(plate, RoundColumn(0.85, 1.0, 1.0), 0.3, near=0.6)
     assert line.u == pytest.approx(np.pi * 0.8 + 2 * 0.85, rel=CHORDS)
+
+
+def test_on_a_tapered_strip_the_sides_cut_perimeters() -> None:
+    """Around a column 0.8 m from the end of a strip that narrows from 3 m to 1.8 m over 6 m.
+
+    0.1 m from it a perimeter runs all around. 1.5 m from it the sides cut off the arcs: what is left, though it turns
+    by more than 45 degrees, cuts the strip.
+    """
+    tapered = straight(24, 12, 6.0, 3.0)
+    x, y = tapered.nodes.T
+    plate = plate_of(Mesh(np.column_stack([x, (y - 1.5) * (1 - 0.4 * x / 6)]), tapered.elements))
+    column = RectangularColumn(5.2, 0.0, 0.4, 0.4)
+    near, far = (perimeter(plate, column, a) for a in (0.1, 1.5))
+    assert (near.cut, near.u) == (False, pytest.approx(1.6 + 2 * np.pi * 0.1, rel=CHORDS))
+    assert far.cut

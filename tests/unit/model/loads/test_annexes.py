@@ -166,7 +166,7 @@ def test_values_of_annexes(name: str) -> None:
 
 
 def test_the_table_is_whole() -> None:
-    """Each row has sources, of each annex its own, or is known to have none, and is a key; each annex has a document."""
+    """Each row has sources, of each annex its own, or is known to have none; each annex has a document."""
     file = action_parameters()
     assert [row["key"] for row in file["rows"] if not all(row["sources"].values())] == ["cases.category H"]
     for row in file["rows"]:
