@@ -30,6 +30,9 @@ from groundslab.results.fields import extreme, extreme_node, place_of
 from groundslab.results.mesh_results import PlateResult
 from groundslab.results.results import CombinationResult, Results
 
+#: What is said of a largest pressure whose error is not known.
+NOT_JUDGED = "where pressures jump or grow with finer meshes, without a known error"
+
 
 class Demand(NamedTuple):
     """What a combination demands: the value in SI units, what it is about, its place [m], its calculation, an aside."""
@@ -163,7 +166,8 @@ def _pressure(results: CombinationResult) -> Demand:
     alone = float(results.plate.pressure[node])
     by_edge = value - alone
     if by_edge <= 0:
-        return Demand(value, "", place, partial(limit_steps.of_pressure, value))
+        judged = find_limits(results.solved_model, results.plate).pressures[node]
+        return Demand(value, "", place, partial(limit_steps.of_pressure, value), "" if judged else NOT_JUDGED)
     b = strip_width(results)
     aside = f"with {by_edge / 1e3:.4g} kPa of the edge's line force over {b:.3g} m"
     return Demand(value, "", place, partial(limit_steps.of_pressure, alone, (by_edge * b, b)), aside)

@@ -93,6 +93,20 @@ def test_pressure_and_uplift() -> None:
     assert found["uplift"].demand == pytest.approx(1.0)
 
 
+def test_a_pressure_whose_error_is_not_known_says_so() -> None:
+    """On ground with shear pressures at the end of a line have no limit; on springs they follow the settlement."""
+    line = {"kind": "line", "points": [(-1.0, 0.0), (1.0, 0.0)], "q": 3e5, "case": "G"}
+    model = model_with((line,), pressure=1e3).replace(mesh={"size": 1.0})
+    on_springs, with_shear = (
+        next(each for each in check_design(gs.solve(model.replace(ground=ground))).checks if each.name == "pressure")
+        for ground in (model.ground, {"kind": "pasternak", "k0": 20e6, "k1": 20e6})
+    )
+    assert on_springs.error is not None
+    assert not on_springs.words.startswith("where pressures jump")
+    assert with_shear.words.startswith("where pressures jump or grow with finer meshes, without a known error: ")
+    assert with_shear.error is None
+
+
 def test_the_plane_of_an_inclined_plate_by_hand() -> None:
     """Over a rectangle S_xx is l_x^2 / 12, and S_xw of a slope of 2 mm/m twice that; across there is none."""
     fields = {"SLS_1": {"settlement": lambda x: 0.02 + 0.002 * x}}
