@@ -266,6 +266,7 @@ def test_what_was_told_before_cancelling_stays(
     monkeypatch.setattr(solvers, "GRACE", 0.1)
     solver, release_file = make(), tmp_path / "release"
     run = submit(solver, f"keeping {release_file}")
+    events.wait("provisional", run)  # the server has heard of it, too
     wait_until_stuck(release_file)
     solver.cancel()
     events.wait("cancelled", run)
