@@ -27,6 +27,13 @@ from groundslab.verification.analytic_continuum import (
     stress_below_rectangle,
 )
 from groundslab.verification.analytic_ground import confined_compression, sinh_mode, wedge
+from groundslab.verification.analytic_members import (
+    wall_by_aci318,
+    wall_by_en1992_2004,
+    web_by_aci318,
+    web_by_en1992_2004,
+    web_by_en1992_2023,
+)
 from groundslab.verification.analytic_pads import pad_by_aci318, pad_by_en1992_2004, pad_by_en1992_2023
 from groundslab.verification.analytic_plates import (
     circle_under_linear_pressure,
@@ -249,6 +256,11 @@ _QUANTITIES: dict[Callable[..., dict[str, float]], tuple[str, ...]] = {
     pad_by_en1992_2004: ("used", "at the face"),
     pad_by_en1992_2023: ("tau_Ed",),
     pad_by_aci318: ("v_u", "phi v_c"),
+    web_by_en1992_2004: ("links", "bars", "used"),
+    web_by_en1992_2023: ("links", "bars", "used"),
+    web_by_aci318: ("links", "bars", "used"),
+    wall_by_en1992_2004: ("borne", "upright", "level"),
+    wall_by_aci318: ("borne", "upright", "level"),
     wood_armer: ("bottom_x", "bottom_y", "top_x", "top_y"),
 }
 _SINGLE = (

@@ -25,8 +25,9 @@ from groundslab.accuracy.judgment import SIZES, JudgedValue, judged_values
 from groundslab.accuracy.values import estimate_error, estimate_errors
 from groundslab.analysis import driver
 from groundslab.case import casefile
-from groundslab.design.beam_bars import section_forces
+from groundslab.design.beam_bars import beam_needs, section_forces
 from groundslab.design.checks import DesignCheck, check_design
+from groundslab.design.wall_bars import wall_needs
 from groundslab.discretize.ground import ground_of, varies
 from groundslab.fem.vlasov import Soil
 from groundslab.model.ground import SoilLayer
@@ -213,10 +214,28 @@ def _of_beam(results: CombinationResult, row: Mapping[str, Any], name: str) -> f
     return float(np.interp(row["way"], own.way, getattr(own, name)))
 
 
+def _alone(results: CombinationResult) -> Results:
+    """Return the results of a combination as those of a model that has no others."""
+    return Results(results.model, results.model.combinations, {results.combination: results}, {})
+
+
 def _check(results: CombinationResult, row: Mapping[str, Any]) -> DesignCheck:
     """Return the design check that a row names."""
-    combined = Results(results.model, results.model.combinations, {results.combination: results}, {})
-    return next(check for check in check_design(combined).checks if check.name == row["check"])
+    return next(check for check in check_design(_alone(results)).checks if check.name == row["check"])
+
+
+def _beam_need(results: CombinationResult, row: Mapping[str, Any]) -> float:
+    """Return what a row's beam needs [m2 or m2/m], or the share used of its struts."""
+    assert results.model.reinforcement is not None
+    needs = beam_needs(_alone(results), results.model.reinforcement)
+    return next(need.area for need in needs if (need.beam, need.what) == (row["beam"], row["what"]))
+
+
+def _wall_need(results: CombinationResult, row: Mapping[str, Any]) -> float:
+    """Return the size of what a row names of its wall: a force [N], or bars [m2/m]."""
+    assert results.model.reinforcement is not None
+    needs = wall_needs(_alone(results), results.model.reinforcement)
+    return abs(next(float(getattr(need, row["what"])) for need in needs if need.wall == row["wall"]))
 
 
 #: What a row may ask for: the dimension of its unit, and how to take it from the results; of a check in its own unit.
@@ -232,6 +251,8 @@ QUANTITIES: dict[str, tuple[str | None, Quantity]] = {
     "moment_2": ("force", lambda r, row: _principal(r, row, -1.0)),
     "moment of a beam": ("moment", lambda r, row: _of_beam(r, row, "moment")),
     "shear force of a beam": ("force", lambda r, row: _of_beam(r, row, "shear")),
+    "need of a beam": (None, _beam_need),
+    "need of a wall": (None, _wall_need),
     "force of a support": ("force", lambda r, row: next(s.total for s in r.supports if s.name == row["support"])),
     "contact share": ("share", lambda r, _: r.plate.contact_share),
     "demand of a check": (None, lambda r, row: _check(r, row).demand or 0.0),
