@@ -203,3 +203,39 @@ def test_the_largest_shear_force_does_not_depend_on_nodes(size: float | None) ->
     assert abs(abs(V) - 139.1) < (4.0 if size and size > 0.2 else 1.0)
     assert abs(abs(V) - 139.1) < told + 0.1  # of which the reference is known
     assert size is not None or judge(results.only)[0].share < 0.05
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("size", [None, 0.4, 0.8])
+@pytest.mark.parametrize("load", ["force", "line"])
+def test_shear_forces_beside_forces_on_walls(size: float | None, load: str) -> None:
+    """A wall of 6 m on two supports, on a plate and ground as soft as nothing, with loads where no node would be.
+
+    20 kN at -1.9 m beside supports at -1.46 and -0.11 m: by hand V = -20 kN up to the support, then
+    20 x 0.44 / 1.35 = 6.52 kN. 10 kN/m from -1.1 to 0.9 m between supports at -2 and 2 m: before the load
+    20 x 2.1 / 4 = 10.5 kN, behind it 20 x 1.9 / 4 = 9.5 kN.
+    """
+    if load == "force":
+        loads, at = [{"kind": "point", "name": "F", "P": 20e3, "x": -1.9, "y": 0.0}], (-1.46, -0.11)
+        ways, V = [-2.0, -1.8, -1.5, -1.4, -0.2], [0.0, -20.0, -20.0, 6.52, 6.52]
+    else:
+        loads, at = [{"kind": "line", "q": 10e3, "points": [(-1.1, 0.0), (0.9, 0.0)]}], (-2.0, 2.0)
+        ways, V = [-1.9, -1.1, -0.6, 0.9, 1.9], [10.5, 10.5, 5.5, -9.5, -9.5]
+    results = gs.solve(
+        gs.Model(
+            plate={"length_x": 8.0, "length_y": 5.0, "thickness": 0.4, "E": 1e8, "nu": 0.2},
+            ground={"kind": "winkler", "k": 2e3},
+            contact={"tensionless": False},
+            walls=[{"name": "W", "thickness": 0.25, "height": 1.0, "E": E, "points": [(-3.0, 0.0), (3.0, 0.0)]}],
+            loads=loads,
+            supports=[{"kind": "point", "x": x, "y": 0.0, "stiffness": 1e9, "name": f"P{x}"} for x in at],
+            mesh={} if size is None else {"size": size},
+        )
+    )
+    share = 0.004  # of plate and ground
+    (wall,) = results.only.beams
+    assert wall.at(np.array(ways) + 3.0).shear / 1e3 == pytest.approx(V, abs=share * 20)
+    table = next(table for table in tables_of(results) if table.name == "beams")
+    (largest,), (told,) = table["largest shear force"], table["error of largest shear force"]
+    assert abs(largest) == pytest.approx(max(map(abs, V)), rel=share)
+    assert told < 0.05

@@ -11,7 +11,7 @@ import numpy as np
 from groundslab.arrays import Array, Integers
 from groundslab.discretize.plan.borders import add_borders, on_lines
 from groundslab.discretize.plan.graded_lines import distances_beyond_edge, towards_edges
-from groundslab.discretize.plan.load_borders import follow_loads
+from groundslab.discretize.plan.load_borders import follow_kinks, follow_loads
 from groundslab.discretize.symmetry import symmetries
 from groundslab.fem.foundation import Column, decay_length, edge_decay
 from groundslab.fem.hanging import connect
@@ -27,7 +27,7 @@ from groundslab.fem.parts.mesh_plan import MeshPlan
 from groundslab.fem.shape_functions import unique_integers
 from groundslab.fem.sparse.elimination import elimination_order
 from groundslab.fem.vlasov import Soil
-from groundslab.geometry.plan import Place, Plan, Ring, Segment, rectangle
+from groundslab.geometry.plan import Place, Plan, Ring, Segment, make_segments, rectangle
 from groundslab.meshing.sizing import Sources
 from groundslab.model.consistency import usual_size
 from groundslab.model.ground import ContinuousGround
@@ -365,6 +365,8 @@ def _make_plan_mesh(
 def plan_of(model: Model, symmetry: tuple[bool, bool], width: float) -> Plan:
     """Return the plan of what is meshed, with the borders of voids and soil zones that a mesh can follow.
 
+    And with the places where loads on beams and walls have kinks.
+
     Zone i of the plate is section i; ground beyond fills the rectangle that is `width` [m] wider. Of a symmetric plate
     only the part beyond the lines of symmetry is meshed.
     """
@@ -378,6 +380,7 @@ def plan_of(model: Model, symmetry: tuple[bool, bool], width: float) -> Plan:
     plan = plan_of_plate(model.plate, model.supports, beyond, model.plates, lines)
     if any(symmetry):
         plan = replace(plan, outline=meshed(*model.plate.bounds))
+    plan = follow_kinks(plan, model, [edge for line in lines for edge in make_segments(*line)])
     curved = curved_beams(model.members, model.every_plate)
     plan = add_borders(plan, (*curved, *model.void_rings, *model.zone_rings))
     plan = replace(plan, origin=model.origin)

@@ -1,4 +1,4 @@
-"""Borders of loads that an adaptive mesh follows, so that what jumps or has a kink there does so between elements."""
+"""Places and borders of loads that a mesh follows, so that what jumps or has a kink there does so between elements."""
 
 from __future__ import annotations
 
@@ -9,13 +9,14 @@ from typing import TYPE_CHECKING
 
 from groundslab.discretize.plan.borders import MOST_BORDERS, add_borders
 from groundslab.geometry.places import same_place_in
-from groundslab.geometry.plan import FLAT, Place, Plan, Ring, flatten
+from groundslab.geometry.plan import FLAT, Place, Plan, Ring, Segment, flatten
 from groundslab.geometry.validity import find_issues
 from groundslab.model.loads.acting import LineForce, rings_of
 from groundslab.model.model import Model
+from groundslab.model.remarks.singular_places import kinks_of_loads
 
 if TYPE_CHECKING:
-    from shapely import LineString
+    from shapely import LineString, Point
 
 #: A border or line that passes another one this close is not followed: by this share of the plate's thickness, of
 #: twice the thickness for a border, or of the border's shorter side if that is less.
@@ -23,6 +24,32 @@ CLEAR = 0.25
 
 #: A straight line from one place to another.
 Line = tuple[Place, Place]
+
+
+def follow_kinks(plan: Plan, model: Model, axes: list[Segment]) -> Plan:
+    """Return a plan with the places on axes of members where their shear forces jump or have a kink, by loads.
+
+    A place that is not clear of what the mesh follows already is left out.
+    """
+    import shapely
+
+    kinks = dict.fromkeys(kinks_of_loads(model) if axes else ())
+    if not kinks:
+        return plan
+    chord, same = FLAT * plan.extent, same_place_in(plan)
+    on_axes = shapely.union_all(flatten(axes, chord)).buffer(max(same, 2 * chord))
+    there = [ring.polygon(chord).exterior for ring in plan.rings().values()] + flatten(plan.line_segments(), chord)
+    there += [shapely.Point(point) for point in plan.points]
+    near = CLEAR * min(plate.thickness for plate in model.every_plate)
+    corners = shapely.multipoints(shapely.get_coordinates(there))
+    kept: list[Place] = []
+    for place in kinks:
+        own = shapely.Point(place)
+        new = on_axes.covers(own) and own.distance(corners) > same
+        if new and len(kept) < MOST_BORDERS and all(_clear(own, each, same, near) for each in there):
+            kept.append(place)
+            there.append(own)
+    return replace(plan, points=(*plan.points, *kept))
 
 
 def follow_loads(plan: Plan, model: Model) -> Plan:
@@ -65,7 +92,7 @@ def _follow(plan: Plan, rings: tuple[Ring, ...], lines: tuple[Line, ...], thickn
     return _add_lines(add_borders(plan, (*plan.borders, *followed)), tuple(straight))
 
 
-def _clear(one: LineString, other: LineString, same: float, near: float) -> bool:
+def _clear(one: LineString | Point, other: LineString | Point, same: float, near: float) -> bool:
     """Return whether corners of either of two curves lie on the other, or at least so far from it [m]."""
     import shapely
 

@@ -81,6 +81,14 @@ def forces_without_footprint(model: Model) -> Iterator[Place]:
             yield shape.place
 
 
+def kinks_of_loads(model: Model) -> Iterator[Place]:
+    """Yield where forces without a footprint act, and where line loads end or bend: what carries them has a kink."""
+    yield from forces_without_footprint(model)
+    for _, shape in model.acting:
+        if isinstance(shape, LineForce):
+            yield from shape.corners
+
+
 def _between_edges(plate: Plate) -> Iterator[Place]:
     """Yield the corners between a clamped and a free edge."""
     x0, x1, y0, y1 = plate.bounds

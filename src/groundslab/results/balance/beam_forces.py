@@ -15,7 +15,7 @@ from groundslab.fem.system import beam_unknowns, plate_settlement
 from groundslab.geometry.nearest import nearest_distance
 from groundslab.model.loads.acting import borders_of
 from groundslab.model.model import Model
-from groundslab.model.remarks.singular_places import forces_without_footprint
+from groundslab.model.remarks.singular_places import kinks_of_loads
 from groundslab.results.record import BeamResult
 from groundslab.solvers.solution import Solution
 
@@ -181,9 +181,9 @@ def _goes_on(model: Model, problem: Problem) -> Flags:
 
 
 def _meeting(model: Model, problem: Problem) -> Flags:
-    """Return at which nodes (n,) a beam meets another one, a force or support at a point, or a border across it."""
+    """Return at which nodes (n,) a beam meets another one, a force, a support, the end of a line load, or a border."""
     b, n = problem.beams, len(problem.mesh.nodes)
-    points = [*forces_without_footprint(model), *(each.points[0] for each in model.supports if not each.edges)]
+    points = [*kinks_of_loads(model), *(each.points[0] for each in model.supports if not each.edges)]
     meets = nearest_distance(problem.mesh.nodes, np.reshape(points, (-1, 2)), near := NEAR * problem.length) < near
     # more ends of pieces than those of one that goes on: another beam, or the same one once more
     meets |= np.bincount(b.sides[:, :2].ravel(), minlength=n) > 2

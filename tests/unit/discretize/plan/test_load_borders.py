@@ -59,6 +59,23 @@ def test_a_wall_beside_a_column() -> None:
     assert len(plan(COLUMN, beside).lines) == 0
 
 
+@pytest.mark.parametrize("mesh", [{}, {"size": 0.5}])
+def test_forces_on_walls_are_followed(mesh: dict[str, Any]) -> None:
+    """And ends of line loads, on any mesh; not beside the wall, nor closer to its end than a quarter of a thickness."""
+    wall = {"name": "W", "thickness": 0.2, "height": 2.0, "points": [(-4.0, -1.0), (2.0, -1.0)]}
+    loads = [
+        *(
+            {"kind": "point", "P": 1e5, "x": x, "y": y}
+            for x, y in ((0.3, -1.0), (0.3, -1.0), (1.0, -0.9), (1.96, -1.0))
+        ),
+        {"kind": "line", "q": 1e4, "points": [(-4.0, -1.0), (-1.0, -1.0)]},
+    ]
+    plate = {"length_x": 10.0, "length_y": 6.0, "thickness": 0.2, "E": 30e9, "nu": 0.2}
+    given = {"plate": plate, "ground": {"kind": "winkler", "k": 5e7}, "walls": [wall], "loads": loads, "mesh": mesh}
+    model = Model.model_validate(given)
+    assert plan_of(model, symmetries(model), 0.0).points == ((0.3, -1.0), (-1.0, -1.0))
+
+
 def test_lines_are_cut_off_where_there_is_no_plate() -> None:
     """By its edge and by openings."""
     openings = [{"kind": "rectangle", "x": (-3.0, -2.0), "y": (-2.0, 0.0)}]
