@@ -77,6 +77,7 @@ class _Section:
     compressed: tuple[float, float]  # width where the beam sags, where it hogs [m]
     flange: Array  # (k,): thickness of the flange [m]; infinite without one
     d: tuple[Array, Array]  # (k,) each: effective depth where it sags, where it hogs [m]
+    diameter: float  # of its bars [m]
 
     def webs(self, part: BeamResult, V: Array, *, released: bool) -> Web:
         """Return the webs at the places, with the shear forces V (k,) [N] that they carry."""
@@ -95,7 +96,8 @@ class _Section:
         of_flange = width > b
         inside = np.minimum(t, y)
         mean = (wide * inside + b * (y - inside)) / y if of_flange else np.full(len(h), b)
-        return TensionZone(self.d[face], inertia / (y if of_flange else h - y), mean, b, width)
+        depth = y if of_flange else h - y
+        return TensionZone(self.d[face], inertia / depth, mean, b, width, h, depth, self.flange, self.diameter)
 
 
 #: Needs of beams, which checks, tables and calculations ask for.
@@ -264,12 +266,12 @@ def _section(results: CombinationResult, beam: Beam, own: BeamResult, steel: Rei
     b = section.width
     if not isinstance(section, RibSection):
         h = np.full(len(own.way), section.height)
-        return _Section(h, b, (b, b), np.inf * h, (h - axes[0], h - axes[1]))
+        return _Section(h, b, (b, b), np.inf * h, (h - axes[0], h - axes[1]), beam.bar_diameter)
     t = _flange(results, own)
     width = section.flange_width
     h = section.height + t
     wide = (width, b) if section.side == "below" else (b, width)
-    return _Section(h, b, wide, t, (h - axes[0], h - axes[1]))
+    return _Section(h, b, wide, t, (h - axes[0], h - axes[1]), beam.bar_diameter)
 
 
 def _flange(results: CombinationResult, own: BeamResult) -> Array:

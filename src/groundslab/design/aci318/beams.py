@@ -66,6 +66,14 @@ def minimum_steps(steel: Reinforcement, limit_state: str, zone: TensionZone) -> 
     yield Step("least bars", "A_min", least, "cm2", "max(0.25 * r, 1.4) / f_y,min * b_min * d * 10000", "9.6.1.2")
 
 
+def cracks(_: Reinforcement) -> str:
+    """Return what of the cracks of beams is not designed."""
+    return (
+        "bars of beams are not laid: that they are near enough to each other (24.3.2), and that those of a flange in "
+        "tension lie within the lesser of its effective width and a tenth of the clear span (24.3.4), is not checked"
+    )
+
+
 def flange_steps(steel: Reinforcement, limit_state: str, flange: Flange) -> Iterator[Step]:
     """Yield the calculation from the stress between web and flange to the bars across at one place."""
     concrete, bars = materials(steel)

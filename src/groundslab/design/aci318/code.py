@@ -71,6 +71,7 @@ ACI318 = DesignCode(
         web_clauses="22.5, 22.7, 9.6.3.4, 9.6.4",
         struts_at_faces=False,
         flange=FlangeRule(beams.flange_bars, beams.flange_limit, "22.9", beams.flange_steps),
+        cracks=beams.cracks,
     ),
     walls=WallRule(walls.least, walls.most, "9.9.2.1, 9.9.3.1"),
     bars=bars.checks,

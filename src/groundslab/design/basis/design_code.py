@@ -121,11 +121,16 @@ class TensionZone(NamedTuple):
     mean_width: Array  # (k,): of the web alone where the flange is compressed [m]
     web: float  # width of the web [m]
     face: float  # width of the face in tension, of a flange or the web [m]
+    h: Array  # (k,): height of the section [m]
+    depth: Array  # (k,): of the zone [m]
+    flange: Array  # (k,): thickness of the flange [m]; infinite without one
+    diameter: float  # of the bars [m]
 
     def at(self, place: int) -> TensionZone:
         """Return it at one place alone."""
         some = slice(place, place + 1)
-        return self._replace(d=self.d[some], modulus=self.modulus[some], mean_width=self.mean_width[some])
+        cut = {name: getattr(self, name)[some] for name in ("d", "modulus", "mean_width", "h", "depth", "flange")}
+        return self._replace(**cut)
 
 
 @dataclass(frozen=True, slots=True)
@@ -174,6 +179,8 @@ class BeamRule:
         Whether struts bear the shear force at a support's face, where links are those at d from it.
     flange : FlangeRule
         The shear between web and flange.
+    cracks : callable
+        Of materials: what of the cracks of beams is not designed here; empty where nothing is asked of them.
     """
 
     minimum: Callable[[Reinforcement, str, TensionZone], Array]
@@ -185,6 +192,7 @@ class BeamRule:
     web_clauses: str
     struts_at_faces: bool
     flange: FlangeRule
+    cracks: Callable[[Reinforcement], str]
 
 
 @dataclass(frozen=True, slots=True)

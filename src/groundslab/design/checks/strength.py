@@ -64,6 +64,8 @@ def _beams(combined: Results, code: DesignCode) -> Iterator[DesignCheck]:
     needs = beam_bars.beam_needs(combined, steel)
     if not needs:
         return
+    if words := code.beams.cracks(steel):
+        yield DesignCheck("cracks of beams", "not checked", words)
     if flanges := [need for need in needs if need.what == "flange"]:
         yield _flanges(flanges, f"{code.name} {code.beams.flange.clauses}")
     yield _webs(needs, f"{code.name} {code.beams.web_clauses}")

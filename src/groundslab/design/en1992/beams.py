@@ -22,6 +22,7 @@ most 1.2 in compressed flanges and 1.0 in those in tension, which is within what
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import NamedTuple
 
 import numpy as np
 
@@ -30,8 +31,8 @@ from groundslab.design.basis.bending_steps import CM2
 from groundslab.design.basis.calculation import MEGA, Step
 from groundslab.design.basis.design_code import TensionZone
 from groundslab.design.basis.webs import Flange, Web, WebNeed, force_steps
-from groundslab.design.en1992 import bending, shear
-from groundslab.design.en1992.case_materials import largest_cover, materials
+from groundslab.design.en1992 import bending, cracking, shear
+from groundslab.design.en1992.case_materials import largest_cover, materials, widest_crack
 from groundslab.design.en1992.materials import Concrete
 from groundslab.design.eurocode2 import torsion
 from groundslab.design.eurocode2.struts import LEVER, Links, links_by_struts
@@ -46,12 +47,58 @@ BORNE_BY_CONCRETE, ALPHA_CT = 0.4, 0.85
 
 def minimum(steel: Reinforcement, limit_state: str, zone: TensionZone) -> Array:
     """Return the least bars (k,) [m2]: of the mean width of the zone in tension, or, where the annex says so, those
-    that yield, with the lever arm 0.9 d, under the moment at which the section cracks.
+    that yield, with the lever arm 0.9 d, under the moment at which the section cracks. Where a crack width is asked
+    for, also those that keep first cracks in its web or flange to it (7.3.2(2)).
     """
+    return np.asarray(np.maximum(_of_strength(steel, limit_state, zone), _FirstCrack.of(steel, zone).area))
+
+
+def _of_strength(steel: Reinforcement, limit_state: str, zone: TensionZone) -> Array:
+    """Return the least bars (k,) [m2] without those for cracks."""
     concrete, bars = materials(steel, limit_state)
     if concrete.annex.minimum_by_cracking:
         return np.asarray(concrete.f_ctm * zone.modulus / (LEVER * zone.d * bars.f_yk))
     return np.asarray(bending.minimum(zone.d, concrete=concrete, steel=bars) * zone.mean_width)
+
+
+class _FirstCrack(NamedTuple):
+    """The part of a section, web or flange, at the face in tension as it first cracks (k,), 7.3.2(2)."""
+
+    k_c: Array
+    k: Array
+    A_ct: Array  # [m2]
+    phi: Array  # phi_s* of the bars by 7.6N, or where the annex has no table that of themselves [m]
+    sigma_s: Array  # [Pa]; infinite where no crack width is asked for
+    area: Array  # [m2]
+
+    @classmethod
+    def of(cls, steel: Reinforcement, zone: TensionZone) -> _FirstCrack:
+        """Return it of zones in tension."""
+        (concrete, bars), w_max, y = materials(steel), widest_crack(steel), zone.depth
+        if zone.face > zone.web:
+            high = np.minimum(zone.flange, y)
+            # F_cr = f_ct A_ct (1 - high / 2 y), as stresses are linear
+            k_c, A_ct = np.maximum(0.9 * (1 - high / (2 * y)), 0.5), zone.face * high  # 7.3
+            k = np.full(len(y), float(cracking.depth_factor(np.array(zone.face))))
+        else:
+            k_c, k, A_ct = np.full(len(y), 0.4), cracking.depth_factor(zone.h), zone.web * y  # 7.2
+        f_ct, phi = concrete.f_ct_least, np.full(len(y), zone.diameter)
+        if not concrete.annex.crack_spacing_by_stress:
+            phi = phi * cracking.OF_TABLE / f_ct * 2 * (zone.h - zone.d) / (k_c * y)  # 7.6N
+        sigma_s = np.full(len(y), np.inf)
+        if w_max is not None:
+            sigma_s = cracking.allowed_stress(w_max, phi, f_ct, bars, concrete.annex)
+        return cls(k_c, k, A_ct, phi, sigma_s, k_c * k * f_ct * A_ct / sigma_s)  # 7.1
+
+
+def cracks(steel: Reinforcement) -> str:
+    """Return what of the cracks of beams is not designed."""
+    if widest_crack(steel) is None:
+        return ""
+    return (
+        "least bars of beams keep their first cracks to the limit; crack widths under loads, and bars at the sides of "
+        "webs (7.3.3(3)), are not checked"
+    )
 
 
 def minimum_steps(steel: Reinforcement, limit_state: str, zone: TensionZone) -> Iterator[Step]:
@@ -64,8 +111,46 @@ def minimum_steps(steel: Reinforcement, limit_state: str, zone: TensionZone) -> 
     else:
         yield Step("mean width of the zone in tension", "b_t", float(zone.mean_width[0]), "m", clause="9.2.1.1(1)")
         formula = "max({:g} * f_ctm / f_yk, {:g}) * b_t * d * 10000".format(*concrete.annex.minimum)
+    strength = float(_of_strength(steel, limit_state, zone)[0]) * CM2
+    if widest_crack(steel) is None:
+        yield Step("least bars", "A_min", strength, "cm2", formula, "9.2.1.1(1)")
+        return
+    yield Step("least bars that bear what cracks", "A_0", strength, "cm2", formula, "9.2.1.1(1)")
+    yield from _crack_steps(steel, zone)
     least = float(minimum(steel, limit_state, zone)[0]) * CM2
-    yield Step("least bars", "A_min", least, "cm2", formula, "9.2.1.1(1)")
+    yield Step("least bars", "A_min", least, "cm2", "max(A_0, A_cr)", "7.3.2(2), 9.2.1.1(1)")
+
+
+def _crack_steps(steel: Reinforcement, zone: TensionZone) -> Iterator[Step]:
+    """Yield the calculation of the least bars for a limit of cracks at one place."""
+    (concrete, bars), w_max, first = materials(steel), widest_crack(steel), _FirstCrack.of(steel, zone)
+    assert w_max is not None
+    k_c, k, A_ct, phi, sigma_s, area = (float(values[0]) for values in first)
+    f_ct, flange = concrete.f_ct_least / MEGA, zone.face > zone.web
+    yield Step("width of cracks that is allowed", "w_max", w_max * 1e3, "mm", clause="7.3.1(5)")
+    yield Step("largest diameter of the bars", "phi", zone.diameter, "m")
+    yield Step("tensile strength as it cracks", "f_ct", f_ct, "MPa", clause="7.3.2(2), Table 3.1")
+    yield Step("depth in tension before it cracks", "h_cr", float(zone.depth[0]), "m")
+    if flange:
+        yield Step("thickness of the flange in tension", "h_f", A_ct / zone.face, "m")
+        yield Step("factor of flanges", "k_c", k_c, "", "max(0.9 * (1 - h_f / (2 * h_cr)), 0.5)", "7.3.2(2), 7.3")
+    else:
+        yield Step("factor of webs in bending", "k_c", k_c, "", clause="7.3.2(2), 7.2")
+    yield Step("factor of stresses that balance each other", "k", k, "", clause="7.3.2(2)")
+    yield Step("area of flange or web in tension", "A_ct", A_ct, "m2", clause="7.3.2(2)")
+    if concrete.annex.crack_spacing_by_stress:
+        yield Step("yield strength", "f_yk", bars.f_yk / MEGA, "MPa", clause="3.2.2(3)")
+        yield Step("modulus of the bars", "E_s", bars.E_s / MEGA, "MPa", clause="3.2.7(4)")
+        formula = "min(sqrt(6 * w_max / 1000 * f_ct * E_s / phi), f_yk)"
+        yield Step("stress of bars that is allowed", "sigma_s", sigma_s / MEGA, "MPa", formula, "7.3.4, 7.8, 7.9")
+    else:
+        axis = float((zone.h - zone.d)[0])
+        yield Step("distance of the bars' axis from the face", "a_1", axis, "m")
+        formula = f"phi * {cracking.OF_TABLE / MEGA:g} / f_ct * 2 * a_1 / (k_c * h_cr)"
+        yield Step("diameter for the table", "phi_s", phi, "m", formula, "7.3.3(2), 7.6N")
+        yield Step("stress of bars that is allowed", "sigma_s", sigma_s / MEGA, "MPa", clause="Table 7.2N")
+    formula = "k_c * k * f_ct * A_ct / sigma_s * 10000"
+    yield Step("least bars that control cracks", "A_cr", area * CM2, "cm2", formula, "7.3.2(2), 7.1")
 
 
 def flange_steps(steel: Reinforcement, limit_state: str, flange: Flange) -> Iterator[Step]:

@@ -24,8 +24,8 @@ from groundslab.design.eurocode2.cracked_sections import FORMULAS as SECTION
 from groundslab.design.eurocode2.cracked_sections import Bars, neutral_axis, steel_stress
 
 __all__ = [
-    "Bars", "bar_stress", "crack_width", "largest_spacing", "mean_strain", "minimum_area", "neutral_axis",
-    "steel_stress",
+    "Bars", "allowed_stress", "bar_stress", "crack_width", "largest_spacing", "mean_strain", "minimum_area",
+    "neutral_axis", "steel_stress",
 ]  # fmt: skip
 
 _MPA = 1e6
@@ -51,6 +51,15 @@ FORMULAS = {
 }
 #: Bond of ribbed bars, bending, and tension.
 K_1, K_2, K_2_TENSION = 0.8, 0.5, 1.0
+#: Table 7.2N: stresses of bars [Pa], and the largest diameters [m] by the crack width [m] that they have at these.
+STRESSES = tuple(stress * _MPA for stress in (400, 360, 320, 280, 240, 200, 160))
+DIAMETERS = {
+    0.2e-3: (4e-3, 5e-3, 6e-3, 8e-3, 12e-3, 16e-3, 25e-3),
+    0.3e-3: (6e-3, 8e-3, 10e-3, 12e-3, 16e-3, 25e-3, 32e-3),
+    0.4e-3: (8e-3, 10e-3, 12e-3, 16e-3, 20e-3, 32e-3, 40e-3),
+}
+#: f_ct,eff that Table 7.2N is for [Pa].
+OF_TABLE = 2.9 * _MPA
 #: k_t of loads that last, and of others (7.3.4(2)).
 LONG_TERM, SHORT_TERM = 0.4, 0.6
 
@@ -148,6 +157,22 @@ def minimum_area(h: Array, concrete: Concrete, sigma_s: float) -> Array:
 def depth_factor(h: Array) -> Array:
     """Return k (n,) of thicknesses h (n,) [m], by which stresses that balance each other lower the force, 7.3.2(2)."""
     return np.interp(h, [0.3, 0.8], [1.0, 0.65])
+
+
+def allowed_stress(w_max: float, diameter: Array, f_ct: float, steel: Steel, annex: Annex) -> Array:
+    """Return the stress (n,) [Pa] that bars may have as a crack has just formed, if it is not to be wider than w_max.
+
+    Diameters (n,) [m] are phi_s* of Table 7.2N, between whose widths, and between 0 and the least of them, all is
+    straight; thicker bars than it has are stressed the less, as 1 / phi_s*. Where the annex has s_r,max by the stress
+    of bars, they are those of the bars themselves, and w_max = 0.6 sigma_s^2 phi / (3.6 f_ct,eff E_s) by 7.8, 7.9.
+    """
+    diameter = np.asarray(diameter)
+    if annex.crack_spacing_by_stress:
+        return np.minimum(np.sqrt(6 * w_max * f_ct * steel.E_s / diameter), steel.f_yk)
+    widths, table = zip(*DIAMETERS.items(), strict=True)
+    largest = [np.interp(w_max, (0.0, *widths), (0.0, *column)) for column in zip(*table, strict=True)]
+    stress = np.interp(diameter, largest, STRESSES) * np.minimum(1.0, largest[-1] / diameter)
+    return np.asarray(np.minimum(stress, steel.f_yk))
 
 
 def tension_force(h: Array, f_ct: float) -> Array:

@@ -50,6 +50,13 @@ def minimum_steps(steel: Reinforcement, limit_state: str, zone: TensionZone) -> 
     yield Step("least bars", "A_min", least, "cm2", formula, "12.2(2), 12.1")
 
 
+def cracks(steel: Reinforcement) -> str:
+    """Return what of the cracks of beams is not designed: 9.2.2 was read for wide sections alone."""
+    if steel.w_max is None and steel.exposure is None:
+        return ""
+    return "cracks of beams, least bars of flanges and webs for these (9.2.2) among them, are not checked"
+
+
 def flange_steps(steel: Reinforcement, limit_state: str, flange: Flange) -> Iterator[Step]:
     """Yield the calculation from the stress between web and flange to the bars across at one place."""
     concrete, bars = materials(steel, limit_state)

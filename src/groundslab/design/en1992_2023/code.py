@@ -59,6 +59,7 @@ EN1992_2023 = DesignCode(
         web_clauses="8.2.3, 8.3, 12.4",
         struts_at_faces=True,
         flange=FlangeRule(beams.flange_bars, beams.flange_limit, "8.2.5", beams.flange_steps),
+        cracks=beams.cracks,
     ),
     bars=bars.checks,
     remarks=remarks,

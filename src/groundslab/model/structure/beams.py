@@ -35,6 +35,8 @@ STIFFNESS = Number("", "share of the uncracked stiffness that counts, less where
 TORSION_CONSTANT = Quantity(
     "second moment of area", "J", "torsion constant; 0 resists no torsion", Range(at_least=0), example="0.003 m^4"
 )
+#: Diameter of bars of beams [m] where a case does not say.
+LARGEST_BAR = 0.025
 #: The shear area of a rectangle over its area (Timoshenko 1921; Cowper 1966 for nu = 0).
 SHEAR_SHARE = 5 / 6
 
@@ -227,6 +229,16 @@ class Beam(Section):
             example="60 mm",
         ),
     ] = None
+    bar_diameter: Annotated[
+        float,
+        Quantity(
+            "length",
+            "phi",
+            "diameter of its bars, by which least bars control cracks (EN 1992-1-1 7.3.3)",
+            POSITIVE,
+            example="20 mm",
+        ),
+    ] = LARGEST_BAR
 
     @property
     def edges(self) -> tuple[Segment, ...]:

@@ -15,7 +15,7 @@ from groundslab.model.loads.load_types import SelfWeight
 from groundslab.model.plate import Plate
 from groundslab.model.plates.further import AnyPlate
 from groundslab.model.shapes import AnyShape, Circle
-from groundslab.model.structure.beams import Beam, GivenSection, RectangularSection
+from groundslab.model.structure.beams import LARGEST_BAR, Beam, GivenSection, RectangularSection
 from groundslab.model.structure.walls import Wall
 from groundslab.model.supports import LineSupport, PointSupport
 
@@ -217,7 +217,8 @@ def write_beams(
             **_curve(sheets, beam.edges, closed=False), geometricalshape=geometry, eccentricityez=0,
             shapeoftherib="T Symmetric", behaviourinanalysis="Standard", effectivewidth="Width", **_rib(sheets, beam),
         )  # fmt: skip
-        if "hinged" in beam.joined or beam.stiffness != 1 or beam.bar_axis is not None or beam.torsion != "resisted":
+        bars = beam.bar_axis, beam.bar_diameter
+        if "hinged" in beam.joined or beam.stiffness != 1 or bars != (None, LARGEST_BAR) or beam.torsion != "resisted":
             left = "its hinges, share of stiffness, release of torsion and bars are not written"
             sheets.leave(f"beam {beam.name}", left)
 
