@@ -6,20 +6,22 @@ it, or to the plate's edge. The shear force and what needs no links are means ov
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from groundslab.arrays import Array, Integers
+from groundslab.arrays import Array, Flags, Integers
 from groundslab.design.by_plate import results_by_plate
 from groundslab.design.demands.line_traversal import interpolation, pieces
 from groundslab.design.demands.perimeter_loads import effective_depth, footprint_of
 from groundslab.design.demands.perimeters import outline
+from groundslab.design.demands.principal_shear import ratio_along
 from groundslab.fem.mesh import Mesh
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.model.plates.region import PlateRegion
+from groundslab.model.remarks.singular_places import near_singular
 from groundslab.model.structure.columns import Column
 from groundslab.results.mesh_results import PlateResult
 from groundslab.results.results import CombinationResult
@@ -36,29 +38,60 @@ SAME = 1e-9
 class Cut:
     """A cut beside a column, and what takes means over it."""
 
-    axis: int  # of the bars that cross it, 0 along x
-    place: tuple[float, float]  # its middle [m]
+    normal: tuple[float, float]  # a unit vector across it
+    legs: Array  # (l, 2, 2): its straight pieces [m]
     nodes: Integers  # (k, 9): of the elements at its Gauss points
     weights: Array  # (k, 9): of the nodes' values in the mean
+    element: Integers  # (k,): at its Gauss points
+    shares: Array  # (k,): of the elements' values in the mean
+    means: bool  # whether nodal values there are means around singular places
+
+    @property
+    def place(self) -> tuple[float, float]:
+        """Return its middle [m]."""
+        x, y = self.legs.reshape(-1, 2).mean(axis=0).tolist()
+        return x, y
 
     def mean(self, values: Array) -> float:
         """Return the mean of nodal values (n,) over the cut."""
         return float((self.weights * values[self.nodes]).sum())
 
-    def layer(self, plate: PlateResult) -> str:
-        """Return the layer of bars in tension that cross the cut."""
-        letter = "xy"[self.axis]
-        face = "bottom" if self.mean(getattr(plate, f"moment_{letter}")) > 0 else "top"
-        return f"{face}_{letter}"
+    def face(self, plate: PlateResult) -> str:
+        """Return the face in tension across the cut."""
+        m_x, m_y, m_xy = (self.mean(getattr(plate, f"moment_{axes}")) for axes in ("x", "y", "xy"))
+        n_x, n_y = self.normal
+        return "bottom" if m_x * n_x**2 + m_y * n_y**2 + 2 * m_xy * n_x * n_y > 0 else "top"
 
-    def same(self, values: Array) -> float | None:
-        """Return the nodal value (n,) that all of the cut has, None if it differs."""
-        there = values[self.nodes]
-        return float(there.flat[0]) if np.ptp(there) <= SAME * np.abs(there).max() else None
+    def ratio(self, ratios: Mapping[str, Array], face: str) -> Array:
+        """Return the ratio of bars of a face across the cut (k, 9) at its nodes, from nodal ones (n,) by layer."""
+        rho_x, rho_y = (ratios[f"{face}_{axis}"][self.nodes] for axis in "xy")
+        return ratio_along(np.full(self.nodes.shape, self.normal[0] ** 2), rho_x, rho_y)
 
-    def shear(self, plate: PlateResult) -> float:
-        """Return the mean shear force [N/m]."""
-        return abs(self.mean(getattr(plate, f"shear_{'xy'[self.axis]}")))
+    def mean_here(self, values: Array) -> float:
+        """Return the mean of values (k, 9) at its nodes."""
+        return float((self.weights * values).sum())
+
+    def shear(self, results: CombinationResult, plate: PlateResult) -> float:
+        """Return the mean shear force [N/m], of the plate as it is or with the line force along its edge spread.
+
+        Where nodal values are means around singular places, such as corners of openings, the elements' own values count
+        if they are larger, which keep equilibrium with what lies beyond. A line force that is spread adds to both.
+        """
+        nodal, solved = self._across(plate), self._across(results.plate)
+        if not self.means:
+            return abs(nodal)
+        own = sum(n * float(self.shares @ getattr(results.elements, name)[self.element])
+                  for n, name in zip(self.normal, ("shear_x", "shear_y"), strict=True))  # fmt: skip
+        return max(abs(nodal), abs(own + nodal - solved))
+
+    def _across(self, plate: PlateResult) -> float:
+        """Return the mean of nodal shear forces across it [N/m]."""
+        return self.normal[0] * self.mean(plate.shear_x) + self.normal[1] * self.mean(plate.shear_y)
+
+
+def same(values: Array) -> float | None:
+    """Return the value that all have, None if they differ."""
+    return float(values.flat[0]) if np.ptp(values) <= SAME * np.abs(values).max() else None
 
 
 def cuts_from_edge_to_edge(results: CombinationResult, steel: Reinforcement) -> Iterator[Cut]:
@@ -66,22 +99,31 @@ def cuts_from_edge_to_edge(results: CombinationResult, steel: Reinforcement) -> 
 
     The section there is one of EN 1992-1-1 6.2.2, and of EN 1992-1-1:2023 8.2.2, at d from the face.
     """
+    singular = singular_nodes(results)
     for column in results.model.columns:
         for axis in (0, 1):
             here = (column.x, column.y)[1 - axis]
             others = [(other.x, other.y)[1 - axis] for other in results.model.columns]
             if np.ptp([here, *others]) <= SAME * max(results.model.sides):
-                yield from _beside(results, steel, column, axis)
+                yield from _beside(results, steel, column, axis, singular)
 
 
 def cuts(results: CombinationResult, steel: Reinforcement) -> Iterator[Cut]:
     """Yield the cuts on both sides of every column along x and along y, where they lie on the plate."""
+    singular = singular_nodes(results)
     for column in results.model.columns:
         for axis in (0, 1):
-            yield from _beside(results, steel, column, axis)
+            yield from _beside(results, steel, column, axis, singular)
 
 
-def _beside(results: CombinationResult, steel: Reinforcement, column: Column, axis: int) -> Iterator[Cut]:
+def singular_nodes(results: CombinationResult) -> Flags:
+    """Return the nodes (n,) whose section forces are means around singular places."""
+    return near_singular(results.solved_model, results.plate.nodes, results.elements.at_nodes(results.plate)[0])
+
+
+def _beside(
+    results: CombinationResult, steel: Reinforcement, column: Column, axis: int, singular: Flags
+) -> Iterator[Cut]:
     """Yield the cuts on both sides of a column along an axis, where they lie on its plate."""
     model, columns = results.model, results.model.columns
     region = PlateRegion(model.plate, model.plates)
@@ -92,7 +134,7 @@ def _beside(results: CombinationResult, steel: Reinforcement, column: Column, ax
     for side in (-1.0, 1.0):
         legs = _legs(plan, columns, column, axis, (column.x, column.y)[axis] + side * far)
         if len(legs):
-            yield _cut(mesh, axis, legs)
+            yield cut_along(mesh, legs, singular)
 
 
 def _legs(plan: Polygon | MultiPolygon, columns: tuple[Column, ...], column: Column, axis: int, at: float) -> Array:
@@ -111,10 +153,11 @@ def _legs(plan: Polygon | MultiPolygon, columns: tuple[Column, ...], column: Col
     return np.array(legs).reshape(-1, 2, 2)
 
 
-def _cut(mesh: Mesh, axis: int, legs: Array) -> Cut:
-    """Return a cut of straight pieces (l, 2, 2)."""
+def cut_along(mesh: Mesh, legs: Array, singular: Flags) -> Cut:
+    """Return a cut of pieces (l, 2, 2) of one straight line; singular (n,) as from `singular_nodes`."""
     line = pieces(mesh, legs)
     piece, s, ds = line.gauss()
     nodes, N = interpolation(mesh, line, piece, s)
-    x, y = legs.reshape(-1, 2).mean(axis=0)
-    return Cut(axis, (float(x), float(y)), nodes, N * (ds / ds.sum())[:, None])
+    shares = ds / ds.sum()
+    t_x, t_y = line.along[0].tolist()
+    return Cut((t_y, -t_x), legs, nodes, N * shares[:, None], line.element[piece], shares, bool(singular[nodes].any()))

@@ -11,8 +11,10 @@ import numpy as np
 
 from groundslab.arrays import Array, Flags, Integers
 from groundslab.design.basis.design_code import ShearRule
+from groundslab.design.basis.wide_beam import Cut
 from groundslab.design.by_plate import distances_to_edges, farthest_from_edges, results_by_plate
 from groundslab.design.checks.one_way_shear.faces import Bearer, pressing, region_within_d, webs_of
+from groundslab.design.checks.one_way_shear.necks import is_beside
 from groundslab.design.demands.line_traversal import interpolation, pieces
 from groundslab.design.demands.loads.column_loads import factors_of
 from groundslab.design.demands.perimeter_loads import PunchingForce, Reach
@@ -73,6 +75,7 @@ class PlacesByReach:
 
     beyond: tuple[Places, ...]  # nodes, and places at d
     within: Places  # nodes
+    necks: tuple[Cut, ...]  # beyond d
 
 
 @dataclass(frozen=True, slots=True)
@@ -83,6 +86,7 @@ class ShearPlaces:
     bearers: list[Bearer]
     forces: Sequence[PunchingForce]  # whose punching is checked instead near them
     reach: Reach  # how far from them [m], else 2 d
+    necks: list[Cut]  # across narrow parts of the slab
     _known: dict[tuple[tuple[int, ...], ...], PlacesByReach] = field(default_factory=dict)
 
     def of(self, results: CombinationResult) -> PlacesByReach:
@@ -102,13 +106,17 @@ class ShearPlaces:
         webs, axes = webs_of(results.solved_model)
         within_d = region_within_d(results.plate, some, nodes.d)
         region = within_d.union(webs)
+        d = nodes.d
+        necks = tuple(cut for cut in self.necks if not is_beside(results, cut, cut.mean(d), punching, some))
         if region.is_empty:
-            return PlacesByReach((nodes,), nodes.of(np.zeros_like(nodes.counts)))
+            return PlacesByReach((nodes,), nodes.of(np.zeros_like(nodes.counts)), necks)
         near, on_web = (np.asarray(contains_xy(part, *nodes.xy.T)) for part in (within_d, webs))
         beyond = nodes.of(nodes.counts & ~near & ~on_web)
         at_d = _on_border(results, region, [*(bearer.shape for bearer in some), *axes], nodes)
         within = nodes.of(nodes.counts & near & ~on_web)
-        return PlacesByReach((beyond,) if at_d is None else (beyond, self._away(results, at_d, punching)), within)
+        return PlacesByReach(
+            (beyond,) if at_d is None else (beyond, self._away(results, at_d, punching)), within, necks
+        )
 
     def _away(self, results: CombinationResult, places: Places, punching: Sequence[PunchingForce]) -> Places:
         """Return places of which those do not count that are so near to what punches that punching is checked there.

@@ -9,7 +9,7 @@ narrow slab), where the shear force along the edge is what the twisting moment h
 Beside line loads, line supports and footprints that are no columns it begins at d from them (`faces`), up to which no
 struts may fail by EN 1992-1-1. Beside columns means over cuts across the slab, at d from them, are checked, too
 (`basis/wide_beam`): by ACI 318 at all of them, by the others where no other column shares the cut, as on pads and
-strips.
+strips. So are means over cuts across necks of the slab, as between two openings, at d from what bears there (`necks`).
 
 On ground with shear the line force along the slab's edge takes off shear forces beside it. The worse of both counts:
 with it at the edge, and with it as pressure over a strip (`edge_strip`), unless the case lets it relieve.
@@ -30,8 +30,9 @@ from groundslab.design.basis.combinations import ultimate_results
 from groundslab.design.basis.demand_errors import error_of_greatest, scaled
 from groundslab.design.basis.design_code import ShearRule, no_rule
 from groundslab.design.basis.shear_demand import AlongForce, ShearDemand
-from groundslab.design.basis.wide_beam import Cut
+from groundslab.design.basis.wide_beam import Cut, same
 from groundslab.design.checks.one_way_shear.faces import bearers
+from groundslab.design.checks.one_way_shear.necks import neck_cuts
 from groundslab.design.checks.one_way_shear.places import FORCES, Places, ShearPlaces, near_forces, nodes_of
 from groundslab.design.codes import code_of
 from groundslab.design.demands.edge_strip import plates_that_count, spread_edge_force
@@ -58,10 +59,11 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
     reach = {} if rule.reach is None else rule.reach(combined)
     model = combined.solved_model
     punching = (*punching_columns(model), *punching_piles(model), *zone_forces(combined))
-    places = ShearPlaces(nodes_of(steel, rule, results), bearers(model), punching, reach)
+    nodes = nodes_of(steel, rule, results)
+    places = ShearPlaces(nodes, bearers(model), punching, reach, neck_cuts(results[0], nodes.thickness))
     demands = [demand for result in results for demand in _of_combination(result, places, steel, rule)]
-    if rule.cuts is not None:
-        demands += _across(results, places.nodes, steel, rule, rule.cuts(results[0], steel))
+    beside = [] if rule.cuts is None else list(rule.cuts(results[0], steel))
+    demands += [demand for result in results for demand in _across(result, places, steel, rule, beside)]
     if demands:
         yield rule.check(steel, max(demands, key=lambda demand: demand.used))
     else:
@@ -120,33 +122,30 @@ def _plate(results: CombinationResult, *, spread: bool) -> PlateResult:
 
 
 def _across(
-    results: list[CombinationResult], nodes: Places, steel: Reinforcement, rule: ShearRule, cuts: Iterable[Cut]
+    results: CombinationResult, places: ShearPlaces, steel: Reinforcement, rule: ShearRule, beside: Iterable[Cut]
 ) -> Iterator[ShearDemand]:
-    """Yield the means over cuts beside columns, in every combination."""
-    of_state = {
-        state: {layer: rule.resistance(steel, state, nodes.d, rho) for layer, rho in nodes.ratios.items()}
-        for state in {result.limit_state for result in results}
-    }
-    plates = [
-        (result, plate) for result in results for plate in plates_that_count(result, relieves=steel.line_force_relieves)
-    ]
-    for cut in cuts:
-        d, thickness = cut.mean(nodes.d), cut.mean(nodes.thickness)
-        for result, plate in plates:
-            layer, spread = cut.layer(plate), plate is not result.plate
-            forces = cut.shear(plate), cut.mean(of_state[result.limit_state][layer])
-            rho = None if cut.same(nodes.d) is None else cut.same(nodes.ratios[layer])
-            error = partial(_error_across, result, cut, spread=spread)
+    """Yield the means over cuts beside columns and, away from what bears there, across necks, in a combination."""
+    nodes, resistance = places.nodes, partial(rule.resistance, steel, results.limit_state)
+    necks = places.of(results).necks
+    middles, depths = np.array([cut.place for cut in necks]), np.array([cut.mean(nodes.d) for cut in necks])
+    near = near_forces(results, middles.reshape(-1, 2), depths)
+    for cut in (*beside, *(cut for cut, is_near in zip(necks, near, strict=True) if not is_near)):
+        d_here, d, thickness = nodes.d[cut.nodes], cut.mean(nodes.d), cut.mean(nodes.thickness)
+        for plate in plates_that_count(results, relieves=steel.line_force_relieves):
+            spread, rho = plate is not results.plate, cut.ratio(nodes.ratios, cut.face(plate))
+            without_links = cut.mean_here(resistance(d_here.ravel(), rho.ravel()).reshape(d_here.shape))
+            ratio = None if same(d_here) is None else same(rho)
             yield ShearDemand(
-                result, cut.place, *forces, d, thickness, spread=spread, rho=rho, across=True, error=error
-            )
+                results, cut.place, cut.shear(results, plate), without_links, d, thickness,
+                spread=spread, rho=ratio, across=True, error=partial(_error_across, results, cut, spread=spread),
+            )  # fmt: skip
 
 
 def _error_across(results: CombinationResult, cut: Cut, *, spread: bool) -> float | None:
     """Return the error of the mean shear force over a cut [N/m]."""
     return error_of_greatest(
         results,
-        lambda mesh: np.array([cut.shear(_plate(mesh, spread=spread))]),
+        lambda mesh: np.array([cut.shear(mesh, _plate(mesh, spread=spread))]),
         lambda: np.array([cut.mean(reduction_of(results, "shear_x"))]),
     )
 
