@@ -11,6 +11,9 @@ import math
 CM2 = 1e4
 #: Partial factors of concrete and steel, and the factor of shear and torsion by ACI 318-19, Table 21.2.1.
 GAMMA_C, GAMMA_S, PHI = 1.5, 1.15, 0.75
+#: A pound-force per square inch in MPa, and the square root of one.
+PSI = 4.4482216152605 / 25.4**2
+ROOT_PSI = math.sqrt(PSI)
 
 
 def web_by_en1992_2004(
@@ -56,23 +59,24 @@ def web_by_en1992_2023(
 
 
 def web_by_aci318(*, b: float, h: float, a: float, V: float, T: float, f_ck: float, f_yk: float) -> dict[str, float]:
-    """Return closed links, bars along the beam, and the share used of the concrete, by ACI 318M-19.
+    """Return closed links, bars along the beam, and the share used of the concrete, by ACI 318-19.
 
-    22.5.8.5.3 with V_c = 0.17 (f'c)^(1/2) b d, 22.7.1.1, 22.7.4.1, 22.7.6.1, 22.7.7.1, 9.6.4.2 and 9.6.4.3, f'c up to
-    69 MPa and f_y at most 420 MPa (20.2.2.4); A_oh ends at the bars' axes.
+    Of 318-19 in psi and 318M-19 what is stricter: 22.5.8.5.3 with V_c = 2 (f'c)^(1/2) b d, 22.7.1.1, 22.7.4.1,
+    22.7.6.1, 22.7.7.1, 9.6.4.2 and 9.6.4.3, f'c up to 69 MPa and f_y at most 60,000 psi (20.2.2.4); A_oh ends at the
+    bars' axes.
     """
-    d, root, f_y = h - a, math.sqrt(f_ck), min(f_yk, 420.0)
+    d, root, f_y = h - a, math.sqrt(f_ck), min(f_yk, 60e3 * PSI)
     A_cp, p_cp = b * h, 2 * (b + h)
     A_oh, p_h = (b - 2 * a) * (h - 2 * a), 2 * (b + h - 4 * a)
     if PHI * 0.083 * root * A_cp**2 / p_cp > T:
         T = 0.0
     A_t = T / (PHI * 2 * 0.85 * A_oh * f_y)
-    A_v = max(V / PHI - 0.17 * root * b * d, 0.0) / (f_y * d)
-    least = 0.42 * root * A_cp / f_y - max(A_t, 0.175 * b / f_y) * p_h if T else 0.0
+    A_v = max(V / PHI - 2 * ROOT_PSI * root * b * d, 0.0) / (f_y * d)
+    least = 0.42 * root * A_cp / f_y - max(A_t, 25 * PSI * b / f_y) * p_h if T else 0.0
     return {
-        "links": CM2 * max(A_v + 2 * A_t, max(0.062 * root, 0.35) * b / f_y),
+        "links": CM2 * max(A_v + 2 * A_t, max(0.75 * ROOT_PSI * root, 0.35) * b / f_y),
         "bars": CM2 * max(A_t * p_h, least),
-        "used": math.hypot(V / (b * d), T * p_h / (1.7 * A_oh**2)) / (PHI * (0.17 + 0.66) * root),
+        "used": math.hypot(V / (b * d), T * p_h / (1.7 * A_oh**2)) / (PHI * (2 * ROOT_PSI + 0.66) * root),
     }
 
 

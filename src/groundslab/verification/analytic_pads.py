@@ -11,6 +11,9 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from itertools import pairwise
 
+#: The square root of a pound-force per square inch, in MPa^(1/2).
+ROOT_PSI = math.sqrt(4.4482216152605 / 25.4**2)
+
 
 @dataclass(frozen=True, slots=True)
 class _Pad:
@@ -123,9 +126,9 @@ def pad_by_en1992_2023(*, d: float, f_ck: float, rho: float, a_p: float = math.i
 
 
 def pad_by_aci318(*, d: float, f_ck: float, rho: float = 0.0, **pad: float) -> dict[str, float]:
-    """Return v_u and phi v_c [MPa] at d / 2 by ACI 318M-19 22.6.4.1, 22.6.5.2, 8.4.4.2.2, 8.4.4.2.3, R8.4.4.2.3.
+    """Return v_u and phi v_c [MPa] at d / 2 by ACI 318-19 22.6.4.1, 22.6.5.2, 8.4.4.2.2, 8.4.4.2.3, R8.4.4.2.3.
 
-    The ratio of bars does not count.
+    Of 318-19 and 318M-19 the edition that gives less counts. The ratio of bars does not count.
     """
     del rho
     of = _Pad(**pad)
@@ -141,7 +144,7 @@ def pad_by_aci318(*, d: float, f_ck: float, rho: float = 0.0, **pad: float) -> d
     gamma_v = 1 - 1 / (1 + 2 / 3 * math.sqrt(b_1 / b_2))
     v_u = V / (b_o * d) + gamma_v * M * b_1 / 2 / J
     lambda_s = min(1.0, math.sqrt(2 / (1 + 4 * d)))
-    factor = min(0.33, 0.17 * (1 + 2 / ratio), 0.083 * (2 + 40 * d / b_o))
+    factor = min(0.33, 2 * ROOT_PSI * (1 + 2 / ratio), 0.083 * (2 + 40 * d / b_o))
     v_c = 0.75 * factor * lambda_s * min(8.3, math.sqrt(f_ck))
     return {"v_u": v_u, "phi v_c": v_c, "used": v_u / v_c}
 

@@ -5,7 +5,7 @@
 f_y is at most 550 MPa there, and b_w the lesser of 2 b_w and the flange's width where the flange is in tension, which
 is asked of statically determinate beams alone (9.6.1.2). Across the plane between a web and its flange, for which there
 is no other rule where both are cast at once, bars act by shear friction (22.9): A_vf = V_u / (phi mu f_y) with mu =
-1.4, f_y at most 420 MPa (Table 20.2.2.4(a)), and V_u <= phi min(0.2 f'c, 3.3 MPa + 0.08 f'c, 11 MPa) A_c (Table
+1.4, f_y at most 413.6 MPa (Table 20.2.2.4(a)), and V_u <= phi min(0.2 f'c, 3.3 MPa + 0.08 f'c, 11 MPa) A_c (Table
 22.9.4.4).
 
 Links carry shear (22.5.8.5.3) and, above phi T_th, torsion with struts of 45 degrees (22.7), of which A_cp, p_cp are
@@ -13,11 +13,11 @@ those of the web and A_oh, p_h those within the axes of its bars, less than with
 
     T_th = 0.083 (f'c)^(1/2) A_cp^2 / p_cp, four times that as it cracks                   Tables 22.7.4.1, 22.7.5.1
     A_t / s = T_u / (2 phi 0.85 A_oh f_yt),  A_l = A_t / s p_h f_yt / f_y                  22.7.6.1
-    A_v / s + 2 A_t / s >= max(0.062 (f'c)^(1/2), 0.35 MPa) b_w / f_yt                     9.6.4.2
-    A_l >= 0.42 (f'c)^(1/2) A_cp / f_y - max(A_t / s, 0.175 MPa b_w / f_yt) p_h f_yt / f_y 9.6.4.3
-    (V_u / (b_w d))^2 + (T_u p_h / (1.7 A_oh^2))^2 <= (phi (0.17 + 0.66) (f'c)^(1/2))^2    22.7.7.1
+    A_v / s + 2 A_t / s >= max(0.0623 (f'c)^(1/2), 0.35 MPa) b_w / f_yt                    9.6.4.2
+    A_l >= 0.42 (f'c)^(1/2) A_cp / f_y - max(A_t / s, 0.172 MPa b_w / f_yt) p_h f_yt / f_y 9.6.4.3
+    (V_u / (b_w d))^2 + (T_u p_h / (1.7 A_oh^2))^2 <= (phi (0.166 + 0.66) (f'c)^(1/2))^2   22.7.7.1
 
-f_y and f_yt are at most 420 MPa (20.2.2.4). A beam that is released from torsion gets what its cracking leaves,
+f_y and f_yt are at most 413.6 MPa (20.2.2.4). A beam that is released from torsion gets what its cracking leaves,
 phi T_cr (22.7.3.2).
 """
 
@@ -41,9 +41,9 @@ _MPA = 1e6
 #: The largest f_y that counts in the least bars [Pa].
 MOST_F_Y = 550 * _MPA
 #: Friction of concrete cast at once (Table 22.9.4.2), and the largest f_y of bars across (Table 20.2.2.4(a)) [Pa].
-MU, MOST_F_Y_FRICTION = 1.4, 420 * _MPA
+MU, MOST_F_Y_FRICTION = 1.4, MOST_F_YT
 #: Torsion over (f'c)^(1/2) A_cp^2 / p_cp that is neglected, and that cracks (Tables 22.7.4.1(a), 22.7.5.1(a)).
-NEGLECTED, CRACKS = 0.083, 0.33
+NEGLECTED, CRACKS = 0.083, 0.3322
 #: A_o over A_oh (22.7.6.1.1), and bars along over (f'c)^(1/2) A_cp / f_y (9.6.4.3).
 TUBE, CRACK_BARS = 0.85, 0.42
 
@@ -119,8 +119,8 @@ def web(steel: Reinforcement, _: str, webs: Web) -> WebNeed:
     of_shear = np.maximum(webs.V / PHI_SHEAR / b - shear.WITH_LINKS * concrete.root * d, 0.0) / (f_yt * d) * b
     leg = twist / (2 * PHI_SHEAR * TUBE * f_yt)
     along = leg * p_h * f_yt / f_y
-    least = np.full(len(T), max(0.062 * concrete.root, 0.35 * _MPA) / f_yt * b)
-    least_along = CRACK_BARS * concrete.root * A_cp / f_y - np.maximum(leg, 0.175 * _MPA * b / f_yt) * p_h * f_yt / f_y
+    least = np.full(len(T), max(0.0623 * concrete.root, 0.35 * _MPA) / f_yt * b)
+    least_along = CRACK_BARS * concrete.root * A_cp / f_y - np.maximum(leg, 0.172 * _MPA * b / f_yt) * p_h * f_yt / f_y
     least_along = np.where(T > 0, np.maximum(least_along, 0.0), 0.0)
     links, along = np.maximum(of_shear + 2 * leg, least), np.maximum(along, least_along)
     links, along = (np.where(used > 1, np.inf, values) for values in (links, along))
@@ -173,7 +173,7 @@ def web_steps(steel: Reinforcement, limit_state: str, webs: Web) -> Iterator[Ste
     yield Step("strength of links that counts", "f_yt", bars.f_yt / MEGA, "MPa", clause="20.2.2.4")
     least = float(need.least_links[0]) * CM2
     yield Step(
-        "least links", "a_v,min", least, "cm2/m", "max(0.062 * r, 0.35) / f_yt * b_w * 10000", "9.6.3.4, 9.6.4.2"
+        "least links", "a_v,min", least, "cm2/m", "max(0.0623 * r, 0.35) / f_yt * b_w * 10000", "9.6.3.4, 9.6.4.2"
     )
     links = f"max(V_u / phi - {shear.WITH_LINKS:g} * r * b_w * d, 0) / (f_yt * d) * 10000"
     if twisted:
@@ -185,7 +185,7 @@ def web_steps(steel: Reinforcement, limit_state: str, webs: Web) -> Iterator[Ste
     yield Step("links, all legs together", "a_v", float(need.links[0]) * CM2, "cm2/m", f"max({links}, a_v,min)", clause)
     if twisted:
         yield Step("strength of bars along the beam", "f_y", f_y / MEGA, "MPa", clause="20.2.2.4")
-        formula = f"{CRACK_BARS:g} * r * A_cp / f_y * 10000 - max(a_t, 0.175 * b_w / f_yt * 10000) * p_h * f_yt / f_y"
+        formula = f"{CRACK_BARS:g} * r * A_cp / f_y * 10000 - max(a_t, 0.172 * b_w / f_yt * 10000) * p_h * f_yt / f_y"
         least = float(need.least_along[0]) * CM2
         yield Step("least bars along the beam", "A_l,min", least, "cm2", f"max({formula}, 0)", "9.6.4.3")
         formula, along = "max(a_t * p_h * f_yt / f_y, A_l,min)", float(need.along[0]) * CM2

@@ -1,10 +1,10 @@
 """Development and lap splices of deformed bars in tension by ACI 318-19 25.4.2 and 25.5.2, in SI units.
 
-    l_d  = f_y psi_t psi_e psi_g / (2.1 lambda (f'c)^(1/2)) d_b     No. 19 and smaller    Table 25.4.2.3
-         = f_y psi_t psi_e psi_g / (1.7 lambda (f'c)^(1/2)) d_b     No. 22 and larger
+    l_d  = f_y psi_t psi_e psi_g / (2.07 lambda (f'c)^(1/2)) d_b    No. 19 and smaller    Table 25.4.2.3
+         = f_y psi_t psi_e psi_g / (1.66 lambda (f'c)^(1/2)) d_b    No. 22 and larger
     l_st = 1.3 l_d                                                  class B               Table 25.5.2.1
 
-neither less than 300 mm (25.4.2.1, 25.5.2.1). Those are the lengths of bars at least 2 d_b clear of each other with a
+neither less than 12 in. (25.4.2.1, 25.5.2.1). Those are the lengths of bars at least 2 d_b clear of each other with a
 cover of d_b or more; all others have 1.5 times as much. psi_t = 1.3 of bars with more than 300 mm of fresh concrete
 below, psi_e = 1 (uncoated), psi_g = 1, 1.15 and 1.3 up to 420, 550 and 690 MPa (Table 25.4.2.5), lambda = 1;
 (f'c)^(1/2) counts up to 8.3 MPa (25.4.1.4).
@@ -16,7 +16,7 @@ from groundslab.design.aci318.materials import Concrete, Steel
 
 _MPA = 1e6
 #: Divisors of f_y / (f'c)^(1/2) [MPa^(1/2)] of thin and thick bars, and the diameter [m] up to which they are thin.
-THIN, THICK, THIN_BAR = 2.1, 1.7, 0.0191
+THIN, THICK, THIN_BAR = 2.07, 1.66, 0.0191
 #: Factor of bars that are closer or have less cover.
 CLOSE = 1.5
 #: psi_t, and the fresh concrete below [m] beyond which it counts.
@@ -24,7 +24,7 @@ TOP, TOP_DEPTH = 1.3, 0.300
 #: psi_g by the largest f_y [Pa].
 GRADES = ((420 * _MPA, 1.0), (550 * _MPA, 1.15), (690 * _MPA, 1.3))
 #: A class B splice over l_d; the least lengths [m].
-CLASS_B, LEAST = 1.3, 0.300
+CLASS_B, LEAST = 1.3, 0.3048
 #: What counts as rounding of a length [m].
 ROUNDING = 1e-9
 

@@ -1,6 +1,9 @@
-"""Concrete and reinforcing steel by ACI 318-19, chapters 19 to 22, in the SI units of ACI 318M-19.
+"""Concrete and reinforcing steel by ACI 318-19, chapters 19 to 22, in SI units.
 
-Normal-weight concrete, lambda = 1 (19.2.4), and deformed bars.
+Normal-weight concrete, lambda = 1 (19.2.4), and deformed bars. The edition in inches and pounds and that in SI units,
+ACI 318M-19, round the same rules differently: 2 (f'c)^(1/2) in psi is 0.166 (f'c)^(1/2) in MPa, for which 318M has
+0.17. Coefficients and limits of strength are those of either edition that are on the safe side, with the digits that
+keep them there (docs/howto/us_units.md lists both), so that a design holds by both, whatever units are shown.
 """
 
 from __future__ import annotations
@@ -16,7 +19,7 @@ EPS_CU, E_S = 0.003, 200e9
 #: Strength reduction factors of sections controlled by tension and of shear (21.2.1, 21.2.2).
 PHI_BENDING, PHI_SHEAR = 0.9, 0.75
 #: The largest (f'c)^(1/2) [MPa] that counts in shear (22.5.3.1, 22.6.3.1), and f_yt [Pa] of links (20.2.2.4).
-MOST_ROOT, MOST_F_YT = 8.3, 420 * _MPA
+MOST_ROOT, MOST_F_YT = 8.3, 413.6 * _MPA
 #: The formulas of what counts in shear, with stresses in MPa and lengths in m.
 FORMULAS = {"root": "min(8.3, sqrt(f_c))", "lambda_s": "min(1, sqrt(2 / (1 + 0.004 * 1000 * d)))"}
 
@@ -39,7 +42,7 @@ class Concrete:
     @property
     def beta_1(self) -> float:
         """Return the depth of the stress block over that of the neutral axis, Table 22.2.2.4.3."""
-        return min(0.85, max(0.65, 0.85 - 0.05 * (self.f_c / _MPA - 28) / 7))
+        return min(0.85, max(0.65, 0.85 - 0.05 * (self.f_c / _MPA - 27.57) / 6.89))
 
     @property
     def root(self) -> float:

@@ -1,7 +1,7 @@
 """Two-way shear by ACI 318-19 22.6 and the transfer of moments by shear, 8.4.4.2; stresses, f'c in MPa.
 
-    v_c = min(0.33, 0.17 (1 + 2 / beta), 0.083 (2 + alpha_s d / b_o)) lambda_s (f'c)^(1/2)            Table 22.6.5.2
-    v_c = 0.17 lambda_s (f'c)^(1/2), v_u <= phi 0.5 (f'c)^(1/2)              with stirrups, 22.6.6.1, 22.6.6.3
+    v_c = min(0.33, 0.166 (1 + 2 / beta), 0.083 (2 + alpha_s d / b_o)) lambda_s (f'c)^(1/2)           Table 22.6.5.2
+    v_c = 0.166 lambda_s (f'c)^(1/2), v_u <= phi 0.498 (f'c)^(1/2)           with stirrups, 22.6.6.1, 22.6.6.3
     A_v / s = (v_u / phi - v_c) b_o / f_yt                                               22.6.7.2
     v_u = V_u / (b_o d) + gamma_v M_sc c / J_c,  gamma_v = 1 - 1 / (1 + 2/3 (b_1 / b_2)^(1/2))     8.4.4.2, 8.4.2.2.2
 
@@ -27,15 +27,15 @@ FORMULAS = {
     "gamma_v1": "1 - 1 / (1 + 2 / 3 * sqrt(b_1 / b_2))",
     "gamma_v2": "1 - 1 / (1 + 2 / 3 * sqrt(b_2 / b_1))",
     "v_u": "V_u / (b_o * d) + gamma_v1 * M_1 * c_1 / J_1 + gamma_v2 * M_2 * c_2 / J_2",
-    "v_c": "min(0.33, 0.17 * (1 + 2 / beta), 0.083 * (2 + alpha_s * d / b_o)) * lambda_s * r",
-    "v_max": "0.5 * r",
-    "v_cs": "0.17 * lambda_s * r",
+    "v_c": "min(0.33, 0.166 * (1 + 2 / beta), 0.083 * (2 + alpha_s * d / b_o)) * lambda_s * r",
+    "v_max": "0.498 * r",
+    "v_cs": "0.166 * lambda_s * r",
     "A_v / s": "(v_u / phi - v_cs) * b_o / f_yt * 10000",
 }
 #: alpha_s of columns inside, at an edge and at a corner (22.6.5.3), by how the critical section runs.
 ALPHA_S = {"closed": 40.0, "edge": 30.0, "corner": 20.0}
 #: A slab with stirrups as shear reinforcement is at least so deep [m] (22.6.7.1).
-LEAST_DEPTH = 0.15
+LEAST_DEPTH = 0.1524
 #: Stirrups of a slab are no farther apart, and from the face, than this over the effective depth (8.7.6.3).
 STIRRUP_SPACING = 0.5
 #: A mixed term of J_c is none below this share of the whole.
@@ -47,18 +47,18 @@ def without_links(concrete: Concrete, d: float, b_o: float, beta: float, alpha_s
 
     beta is the long side of the column over the short one, of a round column 1.
     """
-    factor = min(0.33, 0.17 * (1 + 2 / beta), 0.083 * (2 + alpha_s * d / b_o))
+    factor = min(0.33, 0.166 * (1 + 2 / beta), 0.083 * (2 + alpha_s * d / b_o))
     return factor * concrete.lambda_s(d) * concrete.root
 
 
 def most_with_links(concrete: Concrete) -> float:
     """Return the largest nominal stress [Pa] that stirrups can make of it, 22.6.6.3."""
-    return 0.5 * concrete.root
+    return 0.498 * concrete.root
 
 
 def with_links(concrete: Concrete, d: float) -> float:
     """Return v_c [Pa] where there are stirrups, and at the section beyond them (Table 22.6.6.1)."""
-    return 0.17 * concrete.lambda_s(d) * concrete.root
+    return 0.166 * concrete.lambda_s(d) * concrete.root
 
 
 def links(v_u: float, d: float, b_o: float, concrete: Concrete, steel: Steel) -> float:

@@ -19,7 +19,7 @@ def strength(f_c: float, d: float, d_2: float, A_s: float, A_s2: float) -> tuple
 
     c is sought by bisection so that the forces of the strain plane add up to nothing.
     """
-    beta_1 = min(0.85, max(0.65, 0.85 - 0.05 * (f_c / 1e6 - 28) / 7))
+    beta_1 = min(0.85, max(0.65, 0.85 - 0.05 * (f_c / 1e6 - 27.57) / 6.89))  # from 4000 psi on, by 1000 psi
 
     def forces(c: float) -> tuple[float, float, float]:
         tension = A_s * min(200e9 * 0.003 * (d - c) / c, 420e6)

@@ -114,7 +114,7 @@ def _refused(steel: Reinforcement, needing: Sequence[TwoWay]) -> str:
     most = PHI_SHEAR * aci318.most_with_links(materials(steel)[0])
     used = max(demand.v_u for demand in needing) / most
     if used > 1:
-        return f"stirrups do not suffice: v_u is {used:.3g} phi 0.5 (f'c)^(1/2) (22.6.6.3)"
+        return f"stirrups do not suffice: v_u is {used:.3g} phi 0.498 (f'c)^(1/2) (22.6.6.3)"
     return (
         "the slab is too thin for stirrups (22.6.7.1)"
         if min(demand.d for demand in needing) < aci318.LEAST_DEPTH
