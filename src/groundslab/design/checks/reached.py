@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
+from itertools import pairwise
 
 import numpy as np
 
@@ -16,7 +17,16 @@ from groundslab.design.basis.calculation import MEGA, Step
 from groundslab.design.basis.check import NO_LIMIT, DesignCheck, Status, not_judged, some
 from groundslab.design.basis.combinations import solved_results
 from groundslab.design.basis.demand_errors import error_of, scaled
-from groundslab.design.demands.support_forces import NOTHING, REACHED, Utilization, idle, limits_of, utilization
+from groundslab.design.demands.support_forces import (
+    NOTHING,
+    REACHED,
+    Utilization,
+    idle,
+    limits_of,
+    pull_in_part,
+    thirds,
+    utilization,
+)
 from groundslab.model.loads.clipping import Clipped, find_clipped_loads
 from groundslab.model.loads.load_cases import SERVICEABILITY, STRENGTH
 from groundslab.model.plates.joints import ElasticJoint
@@ -147,13 +157,22 @@ def _holding_down(results: list[CombinationResult]) -> Iterator[DesignCheck]:
         pile = not isinstance(described, LineSupport) and described.diameter is not None
         if pile or limits_of(described)[1] < np.inf:
             continue
-        force, worst = max(((-result.supports[number].total, result) for result in results), key=lambda pull: pull[0])
+        force, worst = max(((_pull(described, result, number), result) for result in results), key=lambda pull: pull[0])
         if force > NOTHING * max(abs(result.certificate.load) for result in results):
             pulls.append((force, f'{worst.supports[number].name} {force / 1e3:.4g} kN in "{worst.combination}"'))
     if pulls:
         words = [each for _, each in sorted(pulls, reverse=True)]
         listed = "; ".join(words[:MOST_NAMED]) + (" ..." if len(words) > MOST_NAMED else "")
         yield not_judged(ANCHORED, NO_LIMIT, f"what holds the plate down has no limit, {listed}")
+
+
+def _pull(described: AnySupport, results: CombinationResult, number: int) -> float:
+    """Return the force [N] by which a support holds the plate down, a line in all or in part."""
+    support = results.supports[number]
+    if not isinstance(described, LineSupport):
+        return -support.total
+    parts = thirds(np.array(list(pairwise(described.points))))
+    return max(-support.total, pull_in_part(parts, support.nodes, support.force))
 
 
 def _error(described: AnySupport, number: int, results: CombinationResult, limit: float) -> float | None:

@@ -21,6 +21,8 @@ REACHED = 1 - 1e-6
 UPLIFT = 1.4
 #: A force below this share of all loads is rounding.
 NOTHING = 1e-9
+#: A line pulls in part by thirds of its straight pieces, if these pull by more than this share of all that it carries.
+PARTS, LITTLE = 3, 0.02
 
 
 @dataclass(frozen=True, slots=True)
@@ -89,6 +91,30 @@ def intensities(described: AnySupport, support: SupportResult) -> Array:
         return support.force
     on_line = support.length > 0
     return np.divide(support.force, support.length, out=np.zeros(len(on_line)), where=on_line)
+
+
+def thirds(lines: Array) -> Array:
+    """Return the thirds (3 l, 2, 2) [m] of straight lines (l, 2, 2)."""
+    ways = np.arange(PARTS + 1) / PARTS
+    at = lines[:, None, 0] + ways[:, None] * (lines[:, None, 1] - lines[:, None, 0])
+    return np.stack([at[:, :-1], at[:, 1:]], axis=2).reshape(-1, 2, 2)
+
+
+def pull_in_part(parts: Array, places: Array, forces: Array, at_once: Array | float = 0.0) -> float:
+    """Return the force [N] by which parts of lines pull, as thirds do, in all.
+
+    Parts (p, 2, 2) [m] carry the upward forces (k,) [N] at places (k, 2) [m] that are nearest to them, and what comes
+    to them at once (p,) [N]. They are no shorter, as a rigid line pulls at its very ends and corners. What pulls less
+    than a share of all forces is nothing.
+    """
+    from shapely import distance, linestrings, points
+
+    if not len(places):
+        return 0.0
+    nearest = np.argmin(distance(points(places)[:, None], linestrings(parts)[None]), axis=1)
+    sums = np.bincount(nearest, forces, len(parts)) + at_once
+    pull = -float(sums.clip(max=0).sum())
+    return pull if pull > LITTLE * float(np.abs(sums).sum()) else 0.0
 
 
 def idle(results: CombinationResult, support: SupportResult) -> Flags:
