@@ -10,13 +10,14 @@ beam has in the analysis is designed for; one that compatibility alone twists ca
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
 from groundslab.arrays import Array, Flags, Integers, Memo
 from groundslab.design.basis.bending_steps import BarsNeeded
 from groundslab.design.basis.combinations import ultimate_results
+from groundslab.design.basis.demand_errors import error_along
 from groundslab.design.basis.design_code import TensionZone
 from groundslab.design.basis.webs import Flange, Web
 from groundslab.design.bending import Reinforcement as Bending
@@ -66,6 +67,8 @@ class BeamNeed:
     flange: Flange | None = None  # of a flange: the shear between web and flange
     web: Web | None = None  # of links, torsion and struts: the section there with both forces
     torsion: float = 0.0  # of these the torsional moment that counts, >= 0 [N m]
+    #: of struts and flanges: ways (k,) [m], and the shares used or the stresses [Pa] there (k,)
+    course: tuple[Array, Array] | None = field(default=None, compare=False, repr=False)
 
 
 @dataclass(frozen=True, slots=True)
@@ -119,6 +122,24 @@ def _all_needs(combined: Results, steel: Reinforcement) -> list[BeamNeed]:
         found += [max(own, key=lambda need: need.area) for what in WHAT
                   if (own := [need for need in needs if need.what == what])]  # fmt: skip
     return found
+
+
+def error_of_need(combined: Results, steel: Reinforcement, need: BeamNeed) -> float | None:
+    """Return the estimated error of what a beam's "struts" use, or of the stress of its "flange" [Pa].
+
+    None without a coarser mesh, or where the concrete is too weak for any number.
+    """
+    number = next(number for number, beam in enumerate(combined.model.beams) if beam.name == need.beam)
+
+    def course(mesh: CombinationResult) -> tuple[Array, Array]:
+        needs = _needs(mesh, number, combined.model.beams[number], steel)
+        found = next(each.course for each in needs if each.what == need.what)
+        assert found is not None
+        return found
+
+    results = combined.results[need.combination]
+    half_an_element = float(np.diff(results.beams[number].way).max())  # its places are ends and middles of sides
+    return error_along(results, course, half_an_element)
 
 
 def section_forces(results: CombinationResult, beam: Beam, own: BeamResult) -> BeamResult:
@@ -199,7 +220,8 @@ def _needs(results: CombinationResult, number: int, beam: Beam, steel: Reinforce
         ("struts", used, np.zeros(len(used)), strained),
     ):
         most, place = need(what, area, least, np.copysign(carried.V, part.shear), part.way)
-        yield replace(most, web=carried.at(place), torsion=float(found.torsion[place]))
+        course = (part.way, used) if what == "struts" else None
+        yield replace(most, web=carried.at(place), torsion=float(found.torsion[place]), course=course)
     if isinstance(beam.section, RibSection):
         share = np.interp(part.way, own.way, _larger_side(results, own, section))
         yield _flange_need(results, part, section, share, steel)
@@ -227,7 +249,7 @@ def _flange_need(
     force, way = float(part.shear[most]), float(part.way[most])
     limit = rule.limit(steel, state)
     return BeamNeed(part.name, "flange", float(area[most]), 0.0, force, way, _place(part, way), results.combination,
-                    float(stress[most]), limit, flange=flange.at(most))  # fmt: skip
+                    float(stress[most]), limit, flange=flange.at(most), course=(part.way, stress))  # fmt: skip
 
 
 def _larger_side(results: CombinationResult, own: BeamResult, section: _Section) -> Array:

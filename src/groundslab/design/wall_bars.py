@@ -10,11 +10,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from groundslab.arrays import Array
 from groundslab.design.basis.combinations import ultimate_results
+from groundslab.design.basis.demand_errors import error_along
 from groundslab.design.codes import code_of
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.model.structure.beams import RectangularSection
-from groundslab.results.results import Results
+from groundslab.results.results import CombinationResult, Results
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,11 +31,23 @@ class WallNeed:
     way: float  # where, from the part's start [m]
     place: tuple[float, float]  # [m]
     combination: str
+    member: int  # the number of the part among all members
+    away: float  # so far from its ends shear forces count [m]
 
     @property
     def used(self) -> float:
         """Return the share used of what struts bear."""
         return abs(self.force) / self.borne
+
+
+def error_of_force(combined: Results, need: WallNeed) -> float | None:
+    """Return the estimated error of the shear force of a part of a wall [N]; None without a coarser mesh."""
+
+    def course(mesh: CombinationResult) -> tuple[Array, Array]:
+        part = mesh.beams[need.member].between_ends(need.away)
+        return part.way, np.abs(part.shear)
+
+    return error_along(combined.results[need.combination], course, 0.0)
 
 
 def wall_needs(combined: Results, steel: Reinforcement) -> list[WallNeed]:
@@ -60,6 +74,6 @@ def wall_needs(combined: Results, steel: Reinforcement) -> list[WallNeed]:
             borne = rule.most(steel, results.limit_state, t, height)
             place = float(part.nodes[most, 0]), float(part.nodes[most, 1])
             needs.append(WallNeed(member.name, float(part.shear[most]), borne, *rule.least(t), float(part.way[most]),
-                                  place, results.combination))  # fmt: skip
+                                  place, results.combination, number, away))  # fmt: skip
         found += [max(needs, key=lambda need: need.used)] if needs else []
     return found

@@ -7,7 +7,13 @@ from math import isfinite
 
 import numpy as np
 
-from groundslab.accuracy.values import error_of_largest, estimate_error, estimate_errors
+from groundslab.accuracy.values import (
+    EXACT,
+    SLOWEST_AROUND,
+    error_of_largest,
+    estimate_error,
+    estimate_errors,
+)
 from groundslab.arrays import Array, Flags
 from groundslab.design.demands.design_moments import DesignMoments, design_moments
 from groundslab.results.fields import LAYERS
@@ -63,6 +69,27 @@ def error_of_greatest(
     q = reduction()
     most = now + np.abs(now - before) * q / (1 - q)
     return float((most.clip(max=0) if max(now.max(), before.max()) <= 0 else most).max() - now.max())
+
+
+def error_along(
+    results: CombinationResult, course: Callable[[CombinationResult], tuple[Array, Array]], reach: float
+) -> float | None:
+    """Return the estimated error of the largest of values along a beam or wall, given by ways (k,) [m] and values (k,).
+
+    Each place has the largest change within a reach [m], as both meshes may agree at one place by accident, and the
+    slowest reduction that section forces of the plate have. None without a coarser mesh, or of no numbers.
+    """
+    coarser, comparison = results.coarser, results.comparison
+    if coarser is None or comparison is None:
+        return None
+    (way, now), (way_before, before) = course(results), course(coarser)
+    if not (np.isfinite(now).all() and np.isfinite(before).all()):
+        return None
+    change = np.abs(now - np.interp(way, way_before, before))
+    first, after = np.searchsorted(way, way - reach), np.searchsorted(way, way + reach, side="right")
+    around = np.array([change[low:high].max() for low, high in zip(first, after, strict=True)])
+    q = SLOWEST_AROUND if comparison.energy_error >= EXACT else 0.0
+    return float((now + around * q / (1 - q)).max() - now.max())
 
 
 def error_of_ratio(judged: Iterable[tuple[float, float, Callable[[], float | None]]]) -> float | None:

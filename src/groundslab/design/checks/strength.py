@@ -7,12 +7,14 @@ known, and anchorage is not looked at.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import partial
 
 import numpy as np
 
 from groundslab.design import beam_bars, required_bars, wall_bars
 from groundslab.design.basis.check import GIVEN_SECTION, DesignCheck, not_judged, some
 from groundslab.design.basis.combinations import UNFACTORED, ultimate_results, why_none, without_partial_factors
+from groundslab.design.basis.demand_errors import error_of_ratio, scaled
 from groundslab.design.basis.design_code import DesignCode, no_rule
 from groundslab.design.checks import pulling
 from groundslab.design.codes import code_of
@@ -67,8 +69,8 @@ def _beams(combined: Results, code: DesignCode) -> Iterator[DesignCheck]:
     if words := code.beams.cracks(steel):
         yield DesignCheck("cracks of beams", "not checked", words)
     if flanges := [need for need in needs if need.what == "flange"]:
-        yield _flanges(flanges, f"{code.name} {code.beams.flange.clauses}")
-    yield _webs(needs, f"{code.name} {code.beams.web_clauses}")
+        yield _flanges(combined, flanges, f"{code.name} {code.beams.flange.clauses}")
+    yield _webs(combined, needs, f"{code.name} {code.beams.web_clauses}")
     bars = [need for need in needs if need.what in ("bottom", "top")]
     clause = f"{code.name} {code.beams.clauses}"
     failing = [need for need in bars if np.isinf(need.area)]
@@ -94,6 +96,9 @@ def _walls(combined: Results, code: DesignCode) -> Iterator[DesignCheck]:
         yield no_rule(code, "walls")
     elif needs := wall_bars.wall_needs(combined, steel):
         worst = max(needs, key=lambda need: need.used)
+        error = error_of_ratio(
+            (abs(need.force), need.borne, partial(wall_bars.error_of_force, combined, need)) for need in needs
+        )
         words = (
             f"{abs(worst.force) / 1e3:.4g} kN in {worst.wall}, {worst.way:.2f} m from its start, use {worst.used:.3g} "
             f"of what its struts bear; it needs at least {worst.upright * 1e4:.3g} cm2/m of bars upright and "
@@ -102,13 +107,13 @@ def _walls(combined: Results, code: DesignCode) -> Iterator[DesignCheck]:
         yield DesignCheck(
             "walls", "no failure found" if worst.used <= 1 else "fails", words, of=worst.wall,
             demand=abs(worst.force) / 1e3, resistance=worst.borne / 1e3, unit="kN", combination=worst.combination,
-            place=worst.place, clause=f"{code.name} {code.walls.clauses}",
+            place=worst.place, clause=f"{code.name} {code.walls.clauses}", error=scaled(error, worst.borne / 1e3),
         )  # fmt: skip
     words = "ties, forces along and across, ends, openings and joints of walls with a height are not designed"
     yield DesignCheck("rest of walls", "not checked", words)
 
 
-def _webs(needs: list[beam_bars.BeamNeed], clause: str) -> DesignCheck:
+def _webs(combined: Results, needs: list[beam_bars.BeamNeed], clause: str) -> DesignCheck:
     """Return whether the concrete of webs bears shear and torsion, with the links and bars along that these take."""
     worst = max((need for need in needs if need.what == "struts"), key=lambda need: need.area)
     V, T, used = abs(worst.force) / 1e3, worst.torsion / 1e3, worst.area
@@ -125,13 +130,25 @@ def _webs(needs: list[beam_bars.BeamNeed], clause: str) -> DesignCheck:
     return DesignCheck(
         "webs of beams", "no failure found" if used <= 1 else "fails", words, of=worst.beam, demand=used,
         resistance=1.0, combination=worst.combination, place=worst.place, clause=clause,
+        error=_error(combined, [(need.area, 1.0, need) for need in needs if need.what == "struts"]),
     )  # fmt: skip
 
 
-def _flanges(needs: list[beam_bars.BeamNeed], clause: str) -> DesignCheck:
+def _error(combined: Results, judged: list[tuple[float, float, beam_bars.BeamNeed]]) -> float | None:
+    """Return the estimated error of the largest of shares used, demands over what resists them, of beams."""
+    steel = combined.model.reinforcement
+    assert steel is not None
+    return error_of_ratio(
+        (demand, resistance, partial(beam_bars.error_of_need, combined, steel, need))
+        for demand, resistance, need in judged
+    )
+
+
+def _flanges(combined: Results, needs: list[beam_bars.BeamNeed], clause: str) -> DesignCheck:
     """Return whether the shear between ribs and their flanges can be carried, with the bars across that it takes."""
     worst = max(needs, key=lambda need: need.stress / need.limit)
     used = worst.stress / worst.limit
+    error = _error(combined, [(need.stress, need.limit, need) for need in needs])
     words = (
         f"the shear between {worst.beam} and its flange, {worst.stress / 1e6:.3g} MPa {worst.way:.2f} m from its "
         f"start, is {used:.3g} times what its concrete bears"
@@ -141,6 +158,7 @@ def _flanges(needs: list[beam_bars.BeamNeed], clause: str) -> DesignCheck:
     return DesignCheck(
         "flanges", "no failure found" if used <= 1 else "fails", words, of=worst.beam, demand=worst.stress / 1e6,
         resistance=worst.limit / 1e6, unit="MPa", combination=worst.combination, place=worst.place, clause=clause,
+        error=scaled(error, worst.limit / 1e6),
     )  # fmt: skip
 
 
