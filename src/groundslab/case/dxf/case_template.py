@@ -36,8 +36,6 @@ _USUAL_UNITS = {"force": "kN", "force per length": "kN/m", "pressure": "kPa"}
 CENTRAL = 0.01
 #: Letters of a line of comments.
 LINE = 116
-#: A coordinate so small is what rounding left of zero [m].
-NOTHING = 1e-12
 
 
 def to_case(drawing: Drawing, title: str = "", source: str = "drawing", notes: Sequence[str] = ()) -> str:
@@ -178,7 +176,7 @@ def _spread_over(mark: PointMark, shapes: Sequence[Ring]) -> list[str]:
         x0, x1, y0, y1 = shape.bounds
         middle = shape.polygon(SAME * max(x1 - x0, y1 - y0)).centroid
         if math.dist((middle.x, middle.y), (mark.x, mark.y)) <= CENTRAL * max(x1 - x0, y1 - y0):
-            value = f'q = "{units.write(mark.value / shape.area, "pressure")}"  # {units.show(mark.value, "force")}'
+            value = f'q = "{_computed(mark.value / shape.area, "pressure")}"  # {units.show(mark.value, "force")}'
             return _load_lines("area", mark, value, _shape_lines("[loads.shape]", shape))
     return []
 
@@ -248,7 +246,7 @@ def _place_point(mark: PointMark, columns: list[Footprint], tree: STRtree) -> li
         if mark.value is not None or not beside:
             force = mark.value or 0.0
             moments = [
-                f'{name} = "{units.write(force * arm, "moment")}"  # {arm:.6g} m off the center of the column'
+                f'{name} = "{_computed(force * arm, "moment")}"  # {arm:.6g} m off the center of the column'
                 for name, arm in beside.items()
             ]
             return [*moments, f"column = {quote(holder.name)}"]
@@ -282,5 +280,10 @@ def _point_text(point: Place) -> str:
 
 
 def _length_text(value: float) -> str:
-    """Return a coordinate with all its digits; what rounding left of zero is zero."""
-    return f'"{repr(value if abs(value) > NOTHING else 0.0).removesuffix(".0")} m"'
+    """Return a coordinate with its digits to the nanometer: those beyond are what rounding has left."""
+    return f'"{repr(units.coordinate(value)).removesuffix(".0")} m"'
+
+
+def _computed(value: float, dimension: str) -> str:
+    """Return a quantity with twelve digits: those beyond are what rounding has left."""
+    return units.write(float(f"{value:.12g}"), dimension)

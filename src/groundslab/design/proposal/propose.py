@@ -24,7 +24,7 @@ from groundslab.errors import GroundslabError, InputError, Issue
 from groundslab.model.design.bars import BarZone
 from groundslab.model.design.detailing import Detailing, allowed_bars
 from groundslab.model.design.laid_bars import axis_of, bar_area, laid_bars, polygon_of
-from groundslab.model.design.reinforcement import Reinforcement
+from groundslab.model.design.reinforcement import Reinforcement, axes_by_cover
 from groundslab.model.model import Model
 from groundslab.model.plates.region import get_plate_region
 from groundslab.results.fields import LAYERS, place_of
@@ -324,17 +324,11 @@ def _with_bars(steel: Reinforcement, layers: dict[str, LayerProposal], grid: Pla
                 max(bars.diameter for bars in (layers[layer].base, *(bars for bars, _ in layers[layer].zones)))
                 for layer in (f"{face}_x", f"{face}_y")
             ]
-            changes[face] = _axes(steel, face, thickest)
+            assert steel.cover is not None
+            changes[face] = axes_by_cover(steel.cover[face == "top"], steel.outer, *thickest)
     detailing = steel.detailing or Detailing()
     cleared = {"bottom_mesh": None, "top_mesh": None, "zones": tuple(zones), "detailing": detailing}
     return steel.model_copy(update=changes | cleared)
-
-
-def _axes(steel: Reinforcement, face: str, thickest: list[float]) -> tuple[float, float]:
-    """Return the distances of the axes from a face [m] by its cover and the thickest bars along x and y."""
-    assert steel.cover is not None
-    cover, (a, b) = steel.cover[face == "top"], thickest
-    return (cover + a / 2, cover + a + b / 2) if steel.outer == "x" else (cover + b + a / 2, cover + b / 2)
 
 
 def _proposal(results: Results, found: Reinforcement, needs: dict[str, Array], remarks: list[str]) -> BarProposal:

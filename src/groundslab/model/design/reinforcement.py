@@ -22,6 +22,7 @@ from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.quantity_lists import list_quantities
 from groundslab.schema.ranges import Range
 from groundslab.schema.section_fields import Table
+from groundslab.units import coordinate
 
 #: Strengths for which EN 1992-1-1 has rules (3.1.2(2), 3.2.2(3)).
 CONCRETE, STEEL = Range(at_least=12e6, at_most=90e6), Range(at_least=400e6, at_most=600e6)
@@ -353,8 +354,13 @@ class Reinforcement(Section):
         assert self.cover is not None
         assert x is not None
         assert y is not None
-        cover, (a, b) = self.cover[face], (x.diameter, y.diameter)
-        return (cover + a / 2, cover + a + b / 2) if self.outer == "x" else (cover + b + a / 2, cover + b / 2)
+        return axes_by_cover(self.cover[face], self.outer, x.diameter, y.diameter)
+
+
+def axes_by_cover(cover: float, outer: str, a: float, b: float) -> tuple[float, float]:
+    """Return the distances of the axes from a face [m] by its cover: of bars a thick along x, b thick along y."""
+    x, y = (cover + a / 2, cover + a + b / 2) if outer == "x" else (cover + b + a / 2, cover + b / 2)
+    return coordinate(x), coordinate(y)  # written to files without what rounding has left
 
 
 def check_bar_distances(

@@ -23,6 +23,7 @@ from groundslab.model.structure.walls import Wall
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.repairs import use_nearest
 from groundslab.schema.wording import describe, one_of, suggestion
+from groundslab.units import coordinate
 
 if TYPE_CHECKING:
     from shapely.geometry.base import BaseGeometry
@@ -46,8 +47,9 @@ def on_plate(covered: PlateRegion, part: Placed, place: tuple[str | int, ...]) -
         value = getattr(part, axis, None)
         values = () if value is None else value if isinstance(value, tuple) else (value,)
         if any(not low - near <= value <= high + near for value in values):
-            found = f"{values[0]!r} m" if len(values) == 1 else f"[{', '.join(f'{value!r} m' for value in values)}]"
-            yield RelativeIssue((*place, axis), found, f"a position on the plate, from {low!r} m to {high!r} m", hint)
+            said = [f"{coordinate(value)!r} m" for value in (*values, low, high)]
+            found = said[0] if len(values) == 1 else f"[{', '.join(said[:-2])}]"
+            yield RelativeIssue((*place, axis), found, f"a position on the plate, from {said[-2]} to {said[-1]}", hint)
             outside = True
     # for points and what runs along the sides of a rectangle that is all
     plain = plate.outline is None and not plate.openings and not covered.plates

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import random
+import re
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -81,6 +82,9 @@ class TestGaps:
             (10, 6),
         ]
         assert len(remarks(drawing, "was closed")) == 3
+        written = re.findall(r'"(\S+) m"', dxf.to_case(drawing))
+        assert {"0", "6", "10"} <= set(written)
+        assert all(len(each) < 12 for each in written)
 
     def test_ends_that_would_meet_far_away_meet_midway(self, tmp_path: Path) -> None:
         """Two halves of an edge, 0.4 mm off each other, that are nearly parallel; an arc and an edge."""

@@ -126,3 +126,12 @@ def test_area_of_a_mesh_is_its_name(name: MeshName) -> None:
     """The number in the name of a mesh is its area both ways, to a square millimeter per meter (BS 4483, DIN 488-4)."""
     bars = bars_of_mesh(name)
     assert area(bars.diameter, bars.spacing) * 1e6 == pytest.approx(int(name.strip("AQ")), abs=0.75)
+
+
+def test_axes_by_cover_have_no_digits_of_rounding() -> None:
+    """50 mm of cover and half of a bar of 18 mm: 59 mm, which as a sum of floats is 0.059000000000000004 m."""
+    bars = {"diameter": 0.018, "spacing": 0.15}
+    steel = Reinforcement(
+        f_ck=30e6, f_yk=500e6, cover=(0.05, 0.05), bottom_x=bars, bottom_y=bars, top_x=bars, top_y=bars
+    )
+    assert steel.bottom_axes == steel.top_axes == (0.059, 0.077)
