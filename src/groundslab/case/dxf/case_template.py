@@ -285,5 +285,5 @@ def _length_text(value: float) -> str:
 
 
 def _computed(value: float, dimension: str) -> str:
-    """Return a quantity with twelve digits: those beyond are what rounding has left."""
-    return units.write(float(f"{value:.12g}"), dimension)
+    """Return a quantity with fourteen digits: those beyond are what rounding has left."""
+    return units.write(float(f"{value:.14g}"), dimension)
