@@ -26,8 +26,8 @@ class WallNeed:
     wall: str
     force: float  # shear force [N]
     borne: float  # the largest that struts bear [N]
-    upright: float  # least bars, both faces together [m2/m]
-    level: float
+    upright: float | None  # least bars, both faces together [m2/m]; None where they are not known
+    level: float | None
     way: float  # where, from the part's start [m]
     place: tuple[float, float]  # [m]
     combination: str
@@ -73,7 +73,8 @@ def wall_needs(combined: Results, steel: Reinforcement) -> list[WallNeed]:
             t, height = section.width, min(section.height, lengths[wall])
             borne = rule.most(steel, results.limit_state, t, height)
             place = float(part.nodes[most, 0]), float(part.nodes[most, 1])
-            needs.append(WallNeed(member.name, float(part.shear[most]), borne, *rule.least(t), float(part.way[most]),
+            upright, level = (None, None) if rule.least is None else rule.least(t)
+            needs.append(WallNeed(member.name, float(part.shear[most]), borne, upright, level, float(part.way[most]),
                                   place, results.combination, number, away))  # fmt: skip
         found += [max(needs, key=lambda need: need.used)] if needs else []
     return found

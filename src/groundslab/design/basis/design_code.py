@@ -201,7 +201,7 @@ class WallRule:
 
     Attributes
     ----------
-    least : callable
+    least : callable or None
         Of a thickness [m]: the least bars upright and level, both faces together [m2/m].
     most : callable
         Of materials, a limit state, a thickness and a height [m]: the largest shear force that struts bear [N].
@@ -209,7 +209,7 @@ class WallRule:
         Where the code rules these.
     """
 
-    least: Callable[[float], tuple[float, float]]
+    least: Callable[[float], tuple[float, float]] | None
     most: Callable[[Reinforcement, str, float, float], float]
     clauses: str
 

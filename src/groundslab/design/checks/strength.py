@@ -101,9 +101,15 @@ def _walls(combined: Results, code: DesignCode) -> Iterator[DesignCheck]:
         )
         words = (
             f"{abs(worst.force) / 1e3:.4g} kN in {worst.wall}, {worst.way:.2f} m from its start, use {worst.used:.3g} "
-            f"of what its struts bear; it needs at least {worst.upright * 1e4:.3g} cm2/m of bars upright and "
-            f"{worst.level * 1e4:.3g} cm2/m level, both faces together"
+            "of what its struts bear"
         )
+        if worst.upright is None or worst.level is None:
+            words += "; least bars of walls were not read"
+        else:
+            words += (
+                f"; it needs at least {worst.upright * 1e4:.3g} cm2/m of bars upright and {worst.level * 1e4:.3g} "
+                "cm2/m level, both faces together"
+            )
         yield DesignCheck(
             "walls", "no failure found" if worst.used <= 1 else "fails", words, of=worst.wall,
             demand=abs(worst.force) / 1e3, resistance=worst.borne / 1e3, unit="kN", combination=worst.combination,

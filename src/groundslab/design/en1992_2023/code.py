@@ -2,10 +2,18 @@
 
 from __future__ import annotations
 
-from groundslab.design.basis.design_code import BeamRule, Clauses, DesignCode, FlangeRule, PunchingRule, ShearRule
+from groundslab.design.basis.design_code import (
+    BeamRule,
+    Clauses,
+    DesignCode,
+    FlangeRule,
+    PunchingRule,
+    ShearRule,
+    WallRule,
+)
 from groundslab.design.basis.wide_beam import cuts_from_edge_to_edge
 from groundslab.design.bending import BendingRule
-from groundslab.design.en1992_2023 import beams, bending, shear
+from groundslab.design.en1992_2023 import beams, bending, shear, walls
 from groundslab.design.en1992_2023.case_materials import materials
 from groundslab.design.en1992_2023.checks import (
     bars,
@@ -61,6 +69,7 @@ EN1992_2023 = DesignCode(
         flange=FlangeRule(beams.flange_bars, beams.flange_limit, "8.2.5", beams.flange_steps),
         cracks=beams.cracks,
     ),
+    walls=WallRule(None, walls.most, "8.2.3, 8.44"),
     bars=bars.checks,
     remarks=remarks,
 )

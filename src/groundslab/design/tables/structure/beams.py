@@ -84,8 +84,10 @@ def beam_reinforcement(combined: Results, steel: Reinforcement) -> Table:
         "The least bars or links are in the unit of the required ones. inf: the concrete is too weak for any "
         "reinforcement.",
     )
+    words = code.beams.cracks(steel)
+    of_cracks = (f"{words[:1].upper()}{words[1:]}.",) if words else ()
     rows = [_need(need) for need in beam_needs(combined, steel) if need.what != "struts"]
-    return table_of("beam_reinforcement", "Reinforcement of beams", heads, rows, notes)
+    return table_of("beam_reinforcement", "Reinforcement of beams", heads, rows, (*notes, *of_cracks))
 
 
 def _need(need: BeamNeed) -> list[Cell]:

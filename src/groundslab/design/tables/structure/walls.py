@@ -6,7 +6,7 @@ from groundslab.design.basis.combinations import solved_results
 from groundslab.design.codes import code_of
 from groundslab.design.demands.loads.wall_loads import loads_on_wall, settlement_along
 from groundslab.design.tables.table import Cell, Table, table_of
-from groundslab.design.wall_bars import wall_needs
+from groundslab.design.wall_bars import WallNeed, wall_needs
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.fields import PLATE_FIELDS
 from groundslab.results.results import Results
@@ -43,12 +43,23 @@ def wall_reinforcement(combined: Results, steel: Reinforcement) -> Table:
         "faces together, and the shear force that uses most of what struts bear over all ultimate combinations. Ties, "
         "forces along and across, ends, openings and joints of walls with a height are not designed.",
     )
+    if code.walls.least is None:
+        notes = (
+            f"By {code.name} {code.walls.clauses}, with the concrete and the steel of the slab: the shear force that "
+            "uses most of what struts bear over all ultimate combinations. Least bars, ties, forces along and across, "
+            "ends, openings and joints of walls with a height are not designed.",
+        )
     rows: list[list[Cell]] = [
-        [need.wall, need.upright * 1e4, need.level * 1e4, need.force / 1e3, need.borne / 1e3, need.used, need.way,
+        [need.wall, *_of_least(need), need.force / 1e3, need.borne / 1e3, need.used, need.way,
          need.combination]
         for need in wall_needs(combined, steel)
     ]  # fmt: skip
     return table_of("wall_reinforcement", "Reinforcement of walls", _NEEDS, rows, notes)
+
+
+def _of_least(need: WallNeed) -> list[Cell]:
+    """Return the least bars upright and level [cm2/m], if they are known."""
+    return [None if each is None else each * 1e4 for each in (need.upright, need.level)]
 
 
 _LIMITS = (
