@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import functools
-import importlib.util
-import sys
 import weakref
 from collections.abc import Callable
 from dataclasses import fields, is_dataclass
@@ -84,21 +82,3 @@ def made_once(make: Callable[[Of], T]) -> Callable[[Of], T]:
         return known.get(of, None, lambda: make(of))
 
     return get
-
-
-def _defer_import(package: str, name: str) -> None:
-    """Have a module of a package load when it is first used, even if all names of the package are taken before."""
-    module = f"{package}.{name}"
-    spec = None if module in sys.modules else importlib.util.find_spec(module)
-    if spec is None or spec.loader is None:
-        return
-    spec.loader = importlib.util.LazyLoader(spec.loader)
-    sys.modules[module] = deferred = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(deferred)
-    setattr(sys.modules[package], name, deferred)
-
-
-# SciPy takes all names of NumPy when it is loaded. To load these two, which nothing here needs, would take half of the
-# time that its matrices take.
-for _name in ("f2py", "testing"):
-    _defer_import("numpy", _name)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib.util
 import os
 import sys
 import time
@@ -47,6 +48,7 @@ def describe(solve: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Analyze a case, keep the results in a folder, print the summary."""
+    defer_parts_of_numpy()
     from groundslab.case import casefile
     from groundslab.views.files import results_folder
 
@@ -71,6 +73,24 @@ def run(options: argparse.Namespace) -> int:
     results_folder.remove_provisional(folder)
     _print_unsolved(results)
     return _judge_design(results, options.quiet)
+
+
+def defer_parts_of_numpy() -> None:
+    """Have two modules of NumPy load when they are first used.
+
+    SciPy takes all names of NumPy when it is loaded. To load these two, which nothing here needs, would take half of
+    the time that its matrices take. Only the command does so: a library leaves its user's interpreter as it is.
+    """
+    import numpy as np
+
+    for name in ("f2py", "testing"):
+        module = f"numpy.{name}"
+        spec = None if module in sys.modules else importlib.util.find_spec(module)
+        if spec is not None and spec.loader is not None:
+            spec.loader = importlib.util.LazyLoader(spec.loader)
+            sys.modules[module] = deferred = importlib.util.module_from_spec(spec)
+            spec.loader.exec_module(deferred)
+            setattr(np, name, deferred)
 
 
 def _find_start(model: Model, folder: Path, options: argparse.Namespace) -> Results | None:
