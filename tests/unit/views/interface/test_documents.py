@@ -20,8 +20,6 @@ from helpers import small_case, synthetic
 from helpers.paths import DOCS, EXAMPLES
 from helpers.studies import write
 
-jsonschema = pytest.importorskip("jsonschema")
-
 #: A pad of 75 kN; under 100 kN with 300 kNm the resultant leaves it, so nothing balances the second combination.
 PAD = """title = "Pad"
 plate = { length_x = "3 m", length_y = "2 m", thickness = "0.5 m", E = "33 GPa", nu = 0.2 }
@@ -48,6 +46,7 @@ def closed(schema: Any) -> Any:
 
 def validate(document: dict[str, Any], name: str) -> None:
     """Fail if a document does not have a shape, or has a key that the shape does not name."""
+    jsonschema = pytest.importorskip("jsonschema")  # it takes seconds to load
     schema = json.loads((DOCS / "interface" / f"{name}.schema.json").read_text(encoding="utf-8"))
     jsonschema.Draft202012Validator.check_schema(schema)
     jsonschema.validate(document, closed(schema))
