@@ -7,7 +7,7 @@ from dataclasses import dataclass, fields, replace
 from html import escape
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
-from groundslab.arrays import Array, freeze
+from groundslab.arrays import Array, freeze, made_once
 from groundslab.errors import GroundslabError, InputError, Issue, NoEquilibrium, NotCertified
 from groundslab.fem.parts.mesh_plan import MeshPlan
 from groundslab.results.fields import PLATE_FIELDS
@@ -217,6 +217,7 @@ class CombinationResult:
         return self.mesh_history is not None and self.mesh_history.end == "provisional"
 
     @property
+    @made_once
     def coarser(self) -> CombinationResult | None:
         """The results on elements twice as large, their fields at the nodes of this mesh."""
         if (other := self.comparison) is None:

@@ -56,11 +56,17 @@ def _figure(model: Model, sketch: SketchedPerimeter) -> Figure:
         axes.fill(*np.array(column.ring().flat(chord)).T, facecolor=style.GREY, edgecolor=style.INK, zorder=4)
     for end in tangents(sketch):
         axes.plot(*np.array([sketch.center, end]).T, color=style.GREY, linewidth=0.6, linestyle=(0, (4, 2)), zorder=2)
-    for leg in line.whole:
-        axes.plot(*leg.T, color=style.GREY, linewidth=0.8, linestyle=(0, (2, 2)), zorder=4.5)
-    for leg in sketch.legs:
-        axes.plot(*leg.T, color=style.LOAD, linewidth=1.6, zorder=5)
+    for part in _joined(line.whole):
+        axes.plot(*part.T, color=style.GREY, linewidth=0.8, linestyle=(0, (2, 2)), zorder=4.5)
+    for part in _joined(sketch.legs):
+        axes.plot(*part.T, color=style.LOAD, linewidth=1.6, zorder=5)
     return page.finish(FREE + height, signed=False)
+
+
+def _joined(legs: Array) -> list[Array]:
+    """Return legs (k, 2, 2) as lines (n, 2) of those that go on where the one before ends, which are drawn quickly."""
+    starts = np.flatnonzero((legs[1:, 0] != legs[:-1, 1]).any(axis=1)) + 1
+    return [np.vstack([part[:1, 0], part[:, 1]]) for part in np.split(legs, starts) if len(part)]
 
 
 def _limits(sketch: SketchedPerimeter) -> Array:
