@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -35,13 +36,18 @@ def correlation_model(field: Field) -> Any:
     With r the distance over the correlation length: exp(-r^2), exp(-r), or (1 + sqrt(3) r) exp(-sqrt(3) r), that of
     Matern with nu = 3/2.
     """
+    return _correlation_model(field.model, tuple(field.lengths))
+
+
+@lru_cache(maxsize=8)
+def _correlation_model(name: str, lengths: tuple[float, ...]) -> Any:
+    """Return the library's model of that name; making it takes longer than to draw a field by it."""
     gstools = import_gstools()
-    lengths = list(field.lengths)
-    if field.model == "matern32":
-        return _matern32(gstools)(dim=2, var=1.0, len_scale=lengths)
-    make = gstools.Gaussian if field.model == "gaussian" else gstools.Exponential
+    if name == "matern32":
+        return _matern32(gstools)(dim=2, var=1.0, len_scale=list(lengths))
+    make = gstools.Gaussian if name == "gaussian" else gstools.Exponential
     # the library scales lengths otherwise
-    return make(dim=2, var=1.0, len_scale=lengths, rescale=1.0)
+    return make(dim=2, var=1.0, len_scale=list(lengths), rescale=1.0)
 
 
 def _matern32(gstools: Any) -> Any:
