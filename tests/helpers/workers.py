@@ -1,4 +1,7 @@
-"""What a solver's process does in tests: it takes orders from the text instead of solving it."""
+"""What a solver's process does in tests: it takes orders from the text instead of solving it.
+
+Each such process imports this module: what takes long to import is imported where it is used.
+"""
 
 from __future__ import annotations
 
@@ -9,16 +12,18 @@ import sys
 import threading
 import time
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from groundslab.errors import GroundslabError, InputError, Issue
-from groundslab.views.report.table_layout import Cell, TableLayout, headers
-from groundslab.workbench.checking import parsing
-from groundslab.workbench.checking.parsing import CheckResult
-from groundslab.workbench.editing.document import Document
 from groundslab.workbench.solver.answer import Answer
 from groundslab.workbench.solver.process import Progress, Solved
+
+if TYPE_CHECKING:
+    from groundslab.views.report.table_layout import TableLayout
+    from groundslab.workbench.checking.parsing import CheckResult
+    from groundslab.workbench.editing.document import Document
 
 
 def obey(text: str, progress: Progress) -> tuple[Answer, bytes, Solved]:
@@ -36,7 +41,7 @@ def obey(text: str, progress: Progress) -> tuple[Answer, bytes, Solved]:
     elif word == "provisional":
         words = ("first", "second")
         for number, name in enumerate(words):
-            tables = {"words": lambda name=name: TableLayout(text, headers("word"), ((Cell(name),),))}
+            tables = {"words": partial(_table, text, name)}
             answer = Answer(0.0, {}, {"text": name}, ("words",), f"mesh {number + 1}")
             progress.keep(answer, name.encode(), Solved(text, None, tables, text))
             while not Path(f"{file}.{name}").exists():
@@ -44,7 +49,7 @@ def obey(text: str, progress: Progress) -> tuple[Answer, bytes, Solved]:
                 time.sleep(0.005)
     elif word in ("stuck", "keeping"):
         if word == "keeping":
-            tables = {"words": lambda: TableLayout(text, headers("word"), ((Cell("kept"),),))}
+            tables = {"words": partial(_table, text, "kept")}
             progress.keep(
                 Answer(0.0, {}, {"text": word}, ("words",), "mesh 1"), b"scene", Solved(text, None, tables, text)
             )
@@ -65,8 +70,15 @@ def obey(text: str, progress: Progress) -> tuple[Answer, bytes, Solved]:
     elif word == "bug":
         raise ZeroDivisionError("by zero")
     progress("half", 0.5)
-    tables = {"words": lambda: TableLayout(text, headers("word"), ((Cell(word),),))}
+    tables = {"words": partial(_table, text, word)}
     return Answer(0.0, {}, {"text": text}, tuple(tables)), text.encode() * 1000, Solved(text, None, tables, text)
+
+
+def _table(title: str, word: str) -> TableLayout:
+    """Return a table of one word."""
+    from groundslab.views.report.table_layout import Cell, TableLayout, headers
+
+    return TableLayout(title, headers("word"), ((Cell(word),),))
 
 
 def prepare_for_ever(progress: Progress) -> None:
@@ -165,6 +177,8 @@ def unusual() -> None:
 
 def check_slowly(document: Document, folder: Path | None = None) -> CheckResult:
     """Return what a text means; one with "# slow" takes for ever."""
+    from groundslab.workbench.checking import parsing
+
     while "# slow" in document.text:
         time.sleep(0.005)
     return parsing.check(document, folder)
