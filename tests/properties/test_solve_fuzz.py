@@ -33,7 +33,7 @@ pytestmark = pytest.mark.slow
 FUZZ = settings(deadline=None, derandomize=True, database=None, suppress_health_check=list(HealthCheck))
 
 
-@settings(FUZZ, max_examples=examples(40))
+@settings(FUZZ, max_examples=examples(16))
 @given(models())
 def test_any_model_ends_in_a_certified_result_or_a_clear_error(model):
     """Of random models of all kinds none crashes, warns, or gives a result that does not fulfil the equations.
@@ -258,7 +258,7 @@ NAMES = st.sampled_from([
 CONTENT = b"\0 somebody's work"
 
 
-@settings(FUZZ, max_examples=examples(25))
+@settings(FUZZ, max_examples=examples(15))
 @given(there=st.sets(NAMES, max_size=4), listed=st.sets(NAMES, max_size=6), ours=st.booleans())
 def test_writing_results_destroys_nobodys_work(tmp_path_factory, there, listed, ours):
     """Whatever lies in a folder and whatever its summary says, no byte of others is lost; else results are there."""

@@ -119,7 +119,7 @@ def test_a_thin_layer_is_springs(nu: float) -> None:
             ground={"kind": "continuum", "layers": [{"E": E, "nu": nu, "thickness": h}]},
             contact={"tensionless": False},
             loads=[{"kind": "patch", "q": 1e5, "x": (-1, 1), "y": (-1, 1)}],
-            mesh={"size": 0.5},
+            mesh={"size": 1.0},
         )
     )
     k = springs("winkler", found)

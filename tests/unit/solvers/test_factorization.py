@@ -294,7 +294,7 @@ def test_a_refused_matrix_leaves_no_factor(monkeypatch: pytest.MonkeyPatch) -> N
 def test_another_number_of_threads_than_at_the_analysis() -> None:
     """PARDISO takes a matrix that it analysed on one number of threads on another one as well."""
     pardiso = solver("pardiso")
-    n = 3000
+    n = 800
     A = csr_array(random_positive(n, seed=5))
     half = csr_array(triu(A))
     half.sort_indices()
