@@ -42,7 +42,8 @@ class CaseFile:
         self.content = content  # as it was read or saved last
         self.base = None if path is None or content is None else files.compute_digest(content)  # of the document
         self.lock = lock
-        self._stamp = None if path is None else _read_stamp(path)
+        # of the version that was seen to have this content; one read after the content may be of a newer version
+        self._stamp: tuple[int, int, int] | None = None
 
     @property
     def folder(self) -> Path:
@@ -72,26 +73,25 @@ class CaseFile:
             hint = "choose another place; nothing is lost"
             issue = Issue(str(target), files.describe_error(error), "a file that can be written", hint)
             raise InputError([issue]) from None
-        saved.content, saved.base, saved._stamp = content, files.compute_digest(content), _read_stamp(target)
+        saved.adopt(content)
         return saved
 
     def adopt(self, content: bytes) -> None:
-        """Take content that another program has written as what was read last."""
-        self.content, self.base = content, files.compute_digest(content)
-        self._stamp = None if self.path is None else _read_stamp(self.path)
+        """Take content that was saved, or that another program has written, as what was read last."""
+        self.content, self.base, self._stamp = content, files.compute_digest(content), None
 
     def has_changed(self) -> bool:
         """Whether another program has changed the file since it was read or saved."""
         if self.path is None:
             return False
         stamp = _read_stamp(self.path)
-        if stamp == self._stamp:
+        if stamp is not None and stamp == self._stamp:
             return False
         try:
             content = read_content(self.path)
         except InputError:
             return True  # it cannot even be read
-        if content is None or files.compute_digest(content) != self.base:
+        if (None if content is None else files.compute_digest(content)) != self.base:
             return True
         self._stamp = stamp
         return False

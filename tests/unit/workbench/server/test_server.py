@@ -545,6 +545,26 @@ def test_work_that_is_not_wanted(bench: Bench, case: Path) -> None:
     assert bench.post("/api/restore", {"take": True})["text"] == state["text"], "nothing is offered"
 
 
+def test_what_is_written_right_after_a_save_is_noticed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Another program writes before the server has looked at the file it has just saved."""
+    path = tmp_path / "slab.toml"
+    write = atomic.write
+
+    def write_and_lose(target: Path, content: bytes) -> None:
+        write(target, content)
+        target.write_bytes(b"theirs")
+
+    file = locks.CaseFile(path, None)
+    assert not file.has_changed()  # it is not there yet, as when it was opened
+    monkeypatch.setattr(atomic, "write", write_and_lose)
+    file.save(path, b"mine", overwrite=False, lock=lambda _: pytest.fail("it is locked"))
+    assert file.has_changed()
+    file.adopt(b"theirs")
+    assert not file.has_changed()
+    path.unlink()
+    assert file.has_changed()
+
+
 def test_restored_work_on_a_file_that_has_changed_since(bench: Bench, case: Path) -> None:
     """Work that builds on an older file is offered as such, and does not overwrite the newer one unasked."""
     bench.set(["plate", "thickness"], "300 mm")
