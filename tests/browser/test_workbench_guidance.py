@@ -150,7 +150,8 @@ def test_a_new_case_is_seen_entirely(server: Server, bench: Bench, case: Path) -
     bench.page.wait_for_selector(".unsaved:not(:empty)")
     bench.tab("Plan")
     assert bench.still(picture) != seen
-    assert start_again() == whole
+    start_again()
+    bench.wait_equal(lambda: bench.page.locator(".drawing").get_attribute("data-view"), whole)
     assert bench.page.get_by_role("dialog").count() == 0
     bench.page.mouse.move(0, 0)
     assert bench.still(picture) == seen
