@@ -17,6 +17,8 @@ CASES  ?=
 SOLVING := tests/unit/solvers tests/unit/analysis tests/docs/test_examples.py tests/verification/test_joints.py tests/properties/test_random_plates.py
 # further options for pytest, such as OPTIONS="-k punching"
 OPTIONS ?=
+# cases of the verification manual that get pictures; all if none are named
+PICTURES ?=
 # options for the bench, such as BENCH=--resume
 BENCH  ?=
 # what is compiled, of tests most of all, is kept from one process to the next
@@ -134,7 +136,7 @@ verify: verify-light    ## the same, and random slabs beside NGSolve
 	$(BIN)/python tools/crosscheck/crosscheck.py
 
 docs: $(VENV)/dev.stamp pages ## build the documentation site under out/docs; every warning is an error
-	$(BIN)/python tools/verification_manual.py docs/verification
+	$(BIN)/python tools/verification_manual.py docs/verification $(PICTURES)
 	$(WITH_NODE) $(BIN)/sphinx-build --quiet --fail-on-warning --keep-going --builder html docs out/docs
 
 lock: $(VENV)/dev.stamp ## update the lock files from pyproject.toml

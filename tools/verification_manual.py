@@ -1,8 +1,9 @@
 """Writes the verification manual: runs every case, and makes a page of each with its table, a figure and its files.
 
-    python tools/verification_manual.py docs/verification
+    python tools/verification_manual.py docs/verification [CASE ...]
 
-`make docs` does so before it builds the site. A row that fails ends it with exit code 1.
+`make docs` does so before it builds the site. A row that fails ends it with exit code 1. Pictures take longer than the
+cases: where cases are named only these get theirs.
 """
 
 from __future__ import annotations
@@ -68,8 +69,8 @@ CAPABILITIES = {
 }
 
 
-def write(folder: Path) -> bool:
-    """Write the manual into a folder; return whether every row of every case holds."""
+def write(folder: Path, pictured: Sequence[str] = ()) -> bool:
+    """Write the manual into a folder, with pictures of all cases or of some; return whether every row holds."""
     (folder / "files").mkdir(parents=True, exist_ok=True)
     cases = [case for case in map(runner.load, runner.case_names()) if runner.can_run(case)]
     outcomes: dict[str, list[Outcome]] = {}
@@ -79,7 +80,8 @@ def write(folder: Path) -> bool:
         outcomes[case.name] = list(runner.outcomes_of(case, solved))
         models = {name: runner.model_of(case, name) for name in case.models}
         used[case.name] = [name for name, has in CAPABILITIES.items() if any(map(has, models.values()))]
-        text = "\n".join(_page(case, outcomes[case.name], models, solved, folder))
+        drawn = solved if not pictured or case.name in pictured else {}
+        text = "\n".join(_page(case, outcomes[case.name], models, drawn, folder))
         (folder / f"{case.name}.md").write_text(text, encoding="utf-8")
     rows = [outcome for found in outcomes.values() for outcome in found]
     sources = sources_of(cases)
@@ -182,4 +184,4 @@ def _page(
 
 
 if __name__ == "__main__":
-    sys.exit(0 if write(Path(sys.argv[1])) else 1)
+    sys.exit(0 if write(Path(sys.argv[1]), sys.argv[2:]) else 1)
