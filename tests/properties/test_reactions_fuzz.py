@@ -52,15 +52,15 @@ def test_changed_texts(name: str, tmp_path: Path) -> None:
 
 @pytest.mark.slow
 def test_changed_workbooks(tmp_path: Path) -> None:
-    """200 workbooks with cells, rows and bytes of their parts changed."""
+    """120 workbooks with cells, rows and bytes of their parts changed."""
     pytest.importorskip("openpyxl")
     case = write_case(tmp_path)
     rows = [[_number(cell) for cell in row] for row in csv.reader(io.StringIO(ETABS))]
     whole = write_workbook(tmp_path / "whole.xlsx", {"Reactions": rows, "Notes": [["a", "b"]]})
     assert attempt(whole, case) is not None
     path = tmp_path / "damaged.xlsx"
-    read = [attempt(damaged_workbooks.change_workbook(whole, path, seed), case) for seed in range(200)]
-    assert 20 < sum(made is not None for made in read) < 180
+    read = [attempt(damaged_workbooks.change_workbook(whole, path, seed), case) for seed in range(120)]
+    assert 12 < sum(made is not None for made in read) < 108
 
 
 def _number(cell: str) -> str | float:
