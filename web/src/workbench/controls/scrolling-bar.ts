@@ -10,7 +10,9 @@ export function scrollingBar(content: HTMLElement, keep?: () => Element | undefi
     const onclick = () => {
       content.scrollLeft += direction * STEP * content.clientWidth;
     };
-    const attributes = { type: "button", tabindex: -1, "aria-hidden": "true", hidden: true, onclick };
+    // it never takes the focus: when it goes at the end, that would move to a tab and scroll the bar back to it
+    const onmousedown = (event: Event) => event.preventDefault();
+    const attributes = { type: "button", tabindex: -1, "aria-hidden": "true", hidden: true, onclick, onmousedown };
     const arrow = direction < 0 ? "M10 3L5 8l5 5" : "M6 3l5 5-5 5";
     return h("button", { ...attributes, class: `bar-arrow ${direction < 0 ? "start" : "end"}` }, lineIcon(arrow));
   };
