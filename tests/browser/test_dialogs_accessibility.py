@@ -65,7 +65,7 @@ def _check_dialog(bench: Bench) -> None:
 
 def test_tools_and_generators(server: Server, bench: Bench, case: Path) -> None:
     """The tools, and whatever dialog one of them opens, with each of its choices."""
-    bench.open(server.start(case))
+    bench.open(server.start(case, by_itself=False))
     names = bench.page.locator(".tool[data-tool]").evaluate_all("(all) => all.map((each) => each.dataset.tool)")
     dialogs = []
     for name in names:
@@ -82,7 +82,7 @@ def test_tools_and_generators(server: Server, bench: Bench, case: Path) -> None:
 
 def test_actions_on_a_selection(server: Server, bench: Bench, case: Path) -> None:
     """The properties of each item, of all at once, and every dialog of an action, with each of its choices."""
-    bench.open(server.start(case))
+    bench.open(server.start(case, by_itself=False))
     drawing = bench.page.locator(".drawing")
     for words in ("load", "column"):
         bench.step("n", words)
@@ -108,7 +108,7 @@ def test_files_that_are_opened(server: Server, bench: Bench, tmp_path: Path) -> 
     document = ezdxf.new("R2010", units=4)
     document.modelspace().add_lwpolyline([(0, 0), (9000, 0), (9000, 6000), (0, 6000)], close=True)
     document.saveas(tmp_path / "floor.dxf")
-    bench.open(server.start(case))
+    bench.open(server.start(case, by_itself=False))
     _open(bench, "reactions.csv")
     bench.wait_seen(".reactions-dialog .messages", 'load case "LIVE"')
     _check_dialog(bench)
@@ -137,7 +137,7 @@ def test_slabs_of_other_programs(server: Server, bench: Bench, case: Path, tmp_p
     for name, height in (("Raft", 0), ("Floor", 3.3)):
         house.slab(name, place=turned(0, z=height))
     house.write(tmp_path / "house.ifc")
-    bench.open(server.start(case))
+    bench.open(server.start(case, by_itself=False))
     _open(bench, "house.ifc")
     bench.page.locator(".slab-dialog").wait_for()
     _check_dialog(bench)
@@ -154,7 +154,7 @@ def test_slabs_of_other_programs(server: Server, bench: Bench, case: Path, tmp_p
 
 def test_dialogs_of_the_top_bar(server: Server, bench: Bench, case: Path) -> None:
     """New, save as and the question before a file is replaced; the tour, step by step."""
-    bench.open(server.start(case))
+    bench.open(server.start(case, by_itself=False))
     (case.parent / "other.toml").write_text(SMALL)
     bench.page.keyboard.press("Control+Shift+S")
     _check_dialog(bench)
@@ -180,7 +180,7 @@ def test_dialogs_of_the_top_bar(server: Server, bench: Bench, case: Path) -> Non
 
 def test_a_file_changed_elsewhere(server: Server, bench: Bench, case: Path) -> None:
     """The banner that says so, the difference of both texts, and errors with their repairs."""
-    bench.open(server.start(case))
+    bench.open(server.start(case, by_itself=False))
     case.write_text(SMALL.replace("250 mm", "400 mm"))
     bench.wait_seen(".changed-file:visible", "Another program has changed the file.")
     assert find_violations(bench.page, ".changed-file") == []

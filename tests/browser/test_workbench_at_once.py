@@ -71,7 +71,7 @@ def test_the_cost_is_told_before(server: Server, bench: Bench, case: Path) -> No
 
 def test_a_conflict_is_settled_in_three_ways(server: Server, bench: Bench, case: Path) -> None:
     """At a save: the file's text, this page's, or both merged, each after a look at the difference."""
-    bench.open(server.start(case))
+    bench.open(server.start(case, by_itself=False))
     theirs = SMALL.replace('k = "20 MPa/m"', 'k = "30 MPa/m"')
     for label, k, thickness in (("Reload", 30, 250), ("Replace the file", 20, 300), ("Merge", 30, 300)):
         type_text(bench, SMALL.replace("250 mm", "300 mm"))
@@ -91,7 +91,7 @@ def test_a_conflict_is_settled_in_three_ways(server: Server, bench: Bench, case:
 
 def test_a_file_that_was_changed_is_reloaded(server: Server, bench: Bench, case: Path) -> None:
     """A banner says so without any edit; undo brings this page's text back; what both changed cannot be merged."""
-    bench.open(server.start(case))
+    bench.open(server.start(case, by_itself=False))
     bench.tab("Text")
     bench.wait_equal(bench.text, SMALL)
     case.write_text(SMALL.replace("250 mm", "400 mm"), encoding="utf-8")

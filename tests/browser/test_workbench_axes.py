@@ -80,7 +80,7 @@ def test_an_axis_moves_with_its_columns(server: Server, bench: Bench, case: Path
 
 def test_a_column_leaves_its_axes_and_comes_back(server: Server, bench: Bench, case: Path) -> None:
     """A column that is dragged off has a place of its own, and hangs on the crossing where it is dropped."""
-    bench.open(server.start(case))
+    bench.open(server.start(case, by_itself=False))
     _make_axes(bench, first_x="-2", first_y="-1", spacing_in_x="2x2", spacing_in_y="2")
     bench.wait_text('at = "A/2"')
     bench.drag((-2, 1), (-1.2, 0.4))
@@ -114,7 +114,7 @@ def test_rays_turn_and_rings_grow_with_their_columns(server: Server, bench: Benc
     text = SMALL.replace('x = "-2 m"\ny = "1 m"', 'at = "2/A"')
     assert 'at = "2/A"' in text
     case.write_text(text + POLAR, encoding="utf-8")
-    bench.open(server.start(case))
+    bench.open(server.start(case, by_itself=False))
     bench.wait_equal(lambda: bench.page.evaluate(BUBBLES), ["1", "2", "3", "A", "B"])
     x, y = _bubble(bench, "2")
     [(x0, y0), (x1, y1)] = bench.pixels((0, 0), (0.5, math.sqrt(0.75)))
@@ -147,7 +147,7 @@ def test_rays_turn_and_rings_grow_with_their_columns(server: Server, bench: Benc
 
 def test_names_of_axes_are_changed_with_what_hangs_on_them(server: Server, bench: Bench, case: Path) -> None:
     """Renamed in the properties, and in the form made fewer: references follow, one undo takes each back."""
-    bench.open(server.start(case))
+    bench.open(server.start(case, by_itself=False))
     _make_axes(bench, first_x="-2", first_y="-1", spacing_in_x="2x2", spacing_in_y="2")
     bench.wait_text('at = "A/2"')
     bench.wait_seen(".properties h3", "axes 1")
@@ -174,7 +174,7 @@ def test_axes_are_taken_from_columns(server: Server, bench: Bench, case: Path) -
     )
     text = SMALL.replace("[[loads]]", f"{columns}\n[[loads]]", 1).replace('y = "1 m"', 'y = "-1 m"', 1)
     case.write_text(text, encoding="utf-8")
-    bench.open(server.start(case))
+    bench.open(server.start(case, by_itself=False))
     bench.tool("axes")
     dialog = bench.page.get_by_role("dialog", name="Axes")
     dialog.locator("[name=kind]").select_option("columns")

@@ -30,7 +30,7 @@ def _enter(bench: Bench, **values: str) -> None:
 
 def test_one_rack_leg_becomes_twelve_that_are_edited_together(server: Server, bench: Bench, case: Path) -> None:
     """A column with its load is repeated in rows and columns; all loads get another size in one step of undo."""
-    bench.open(server.start(case))
+    bench.open(server.start(case, by_itself=False))
     before = bench.text()
     bench.drag((-2.6, 1.6), (-1.4, 0.4))
     bench.wait_seen(".properties h3", "1 column, 1 load selected")
@@ -67,7 +67,7 @@ def test_fields_of_several_items_are_changed_in_one_step(server: Server, bench: 
     """Shift adds to the selection; a common field that differs says so, and is set for all at once."""
     text = case.read_text()
     case.write_text(text + '\n[[columns]]\nname = "A2"\nx = "2 m"\ny = "1 m"\nwidth_x = "30 cm"\nwidth_y = "400 mm"\n')
-    bench.open(server.start(case))
+    bench.open(server.start(case, by_itself=False))
     before = bench.text()
     bench.click(-2.0, 1.0)
     bench.page.keyboard.down("Shift")
@@ -130,7 +130,7 @@ def test_what_is_turned_and_mirrored_is_written_exactly(server: Server, bench: B
     case.write_text(
         case.read_text() + '\n[[loads]]\nkind = "patch"\nq = "20 kPa"\nx = ["1 m", "2 m"]\ny = ["0 m", "1 m"]\n'
     )
-    bench.open(server.start(case))
+    bench.open(server.start(case, by_itself=False))
     bench.click(1.5, 0.3)
     bench.page.keyboard.press("r")
     _enter(bench, angle="45", x="1 m", y="0 m")
@@ -157,7 +157,7 @@ def test_what_is_turned_and_mirrored_is_written_exactly(server: Server, bench: B
 def test_a_slab_is_drawn_by_typed_lengths_and_places(server: Server, bench: Bench) -> None:
     """Places and lengths are typed while drawing; at 1280 x 650 every tool can be seen; a case is added in the plan."""
     bench.page.set_viewport_size({"width": 1280, "height": 650})
-    bench.open(server.start(None))
+    bench.open(server.start(None, by_itself=False))
     page = bench.page
     seen = "() => { const e = document.querySelector('.tools'); return e.scrollHeight <= e.clientHeight; }"
     page.wait_for_function(seen)
@@ -185,7 +185,7 @@ def test_a_slab_is_drawn_by_typed_lengths_and_places(server: Server, bench: Benc
 def test_walls_are_drawn_and_loads_stand_along_them(server: Server, bench: Bench, case: Path) -> None:
     """W draws a wall of the usual thickness; a load that names it stands along it."""
     case.write_text(case.read_text() + '\n[[loads]]\nkind = "line"\nq = "20 kN/m"\nwall = "W1"\n')
-    bench.open(server.start(case))
+    bench.open(server.start(case, by_itself=False))
     bench.page.locator(".drawing").focus()
     bench.page.keyboard.press("w")
     bench.drag((-2.0, -1.0), (1.0, -1.0))
@@ -199,7 +199,7 @@ def test_walls_are_drawn_and_loads_stand_along_them(server: Server, bench: Bench
 
 def test_beams_are_drawn_as_the_one_before(server: Server, bench: Bench, case: Path) -> None:
     """The first beam has a usual section, a further one that of the last."""
-    bench.open(server.start(case))
+    bench.open(server.start(case, by_itself=False))
     bench.tool("beam")
     bench.drag((-2.0, -1.0), (1.0, -1.0))
     bench.until(lambda: "beams" in _data(bench))

@@ -134,7 +134,7 @@ def test_each_kind_of_ground_follows_each_other_without_an_issue(
     case.write_text(text)
     model = casefile.loads(text)
     names = {value: name for name, value in KINDS.items()}
-    bench.open(server.start(case))
+    bench.open(server.start(case, by_itself=False))
     bench.tab("Form")
     choice = bench.page.locator("""[data-path='["ground","kind"]'] select""").locator("visible=true")
     for name in _tour(names[model.ground.kind])[1:]:
