@@ -33,7 +33,7 @@ def _add(bench: Bench, name: str, kind: str) -> None:
 
 def test_cases_of_a_raft_from_none(server: Server, bench: Bench, case: Path) -> None:
     """200 kN at (-2, 1) m; 25 kN/m3 on 6 m x 4 m x 0.25 m; by 6.10 and with psi_2 = 0.3 of offices, as by hand."""
-    bench.open(server.start(case))
+    bench.open(server.start(case, by_itself=False))
     bench.tab("Load cases")
     _add(bench, "live", "B")
     bench.until(lambda: "live" in bench.text())
@@ -63,7 +63,7 @@ def test_keys_rename_move_and_undo(server: Server, bench: Bench, case: Path) -> 
     text = case.read_text().replace("[[loads]]", '# the offices\n[[cases]]\nname = "live"\n\n[[loads]]\ncase = "live"')
     text += '\n[[cases]]\nname = "dead"\n[[combinations]]\nname = "all"\nfactors = { live = 1.5, dead = 1.35 }\n'
     case.write_text(text)
-    bench.open(server.start(case))
+    bench.open(server.start(case, by_itself=False))
     bench.tab("Load cases")
     name = bench.page.get_by_label("name of case 1")
     name.fill("offices")

@@ -77,7 +77,7 @@ def test_what_is_drawn_snaps_to_a_drawing_below_the_plan(
     server: Server, bench: Bench, case: Path, drawing: Path
 ) -> None:
     """An intersection is met exactly; the drawing can be moved, hidden and removed; the case has none of it."""
-    bench.open(server.start(case))
+    bench.open(server.start(case, by_itself=False))
     before = bench.text()
     _open(bench, drawing.name)
     dialog = bench.page.locator(".drawing-dialog")

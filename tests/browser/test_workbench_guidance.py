@@ -38,7 +38,7 @@ def check_axe(page: Any) -> None:
 def test_an_issue_is_repaired_with_one_click(server: Server, bench: Bench, case: Path) -> None:
     """Below the field and in the list of issues; the comment stays, and one undo brings the text back."""
     case.write_text(WRONG)
-    bench.open(server.start(case))
+    bench.open(server.start(case, by_itself=False))
     bench.tab("Form")
     bench.wait_seen(".issue-count", "3 errors")  # the missing thickness too
     check_axe(bench.page)
@@ -68,7 +68,7 @@ COVERED = """() => {
 def test_a_field_with_the_focus_is_explained(server: Server, bench: Bench, case: Path) -> None:
     """Meaning, unit and range stand at the foot with a drawing, never over the field, and are read out with it."""
     bench.page.set_viewport_size({"width": 1280, "height": 650})
-    bench.open(server.start(case))
+    bench.open(server.start(case, by_itself=False))
     bench.tab("Form")
     thickness = bench.field("plate", "thickness").locator("input")
     thickness.focus()
@@ -89,7 +89,7 @@ def test_a_field_with_the_focus_is_explained(server: Server, bench: Bench, case:
 
 def test_f1_opens_the_place_of_a_key(server: Server, bench: Bench, case: Path) -> None:
     """The documentation opens in a tab of its own, from this server, at the row of the key; its links work."""
-    bench.open(server.start(case))
+    bench.open(server.start(case, by_itself=False))
     bench.tab("Form")
     bench.field("ground", "k").locator("input").focus()
     with bench.page.context.expect_page() as opened:
@@ -107,7 +107,7 @@ def test_f1_opens_the_place_of_a_key(server: Server, bench: Bench, case: Path) -
 
 def test_a_new_case_from_an_example(server: Server, bench: Bench) -> None:
     """The list has a picture and a line about each; the case opened is the file to the byte, without a name."""
-    bench.open(server.start(None))
+    bench.open(server.start(None, by_itself=False))
     bench.page.get_by_role("button", name="New", exact=True).click()
     dialog = bench.page.get_by_role("dialog", name="New case")
     cards = dialog.get_by_role("list", name="examples").get_by_role("button")

@@ -14,7 +14,7 @@ pytestmark = pytest.mark.slow
 
 def test_keys_are_listed_and_work(server: Server, bench: Bench, case: Path) -> None:
     """A question mark shows the keys, with those of the tools, and is text where one types; Escape closes the list."""
-    bench.open(server.start(case))
+    bench.open(server.start(case, by_itself=False))
     drawing = bench.page.locator(".drawing")
     drawing.press("?")
     dialog = bench.page.get_by_role("dialog", name="Keyboard shortcuts")
@@ -29,7 +29,7 @@ def test_keys_are_listed_and_work(server: Server, bench: Bench, case: Path) -> N
 
 def test_a_decimal_comma_and_a_bare_number(server: Server, bench: Bench, case: Path) -> None:
     """The file gets a point and the unit that stood there, the field shows both; what may be thousands is refused."""
-    bench.open(server.start(case))
+    bench.open(server.start(case, by_itself=False))
     bench.tab("Form")
     thickness = bench.field("plate", "thickness").locator("input")
     thickness.fill("312,5")

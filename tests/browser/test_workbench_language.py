@@ -52,7 +52,7 @@ def test_the_language_of_the_case_is_the_first(server: Server, bench: Bench, cas
     """A case that names a language is shown in it, as long as the user has not chosen another one."""
     german = messages("de")
     case.write_text(f'{SMALL}\n[project]\nlanguage = "de"\n')
-    bench.open(server.start(case))
+    bench.open(server.start(case, by_itself=False))
     assert bench.page.locator("html").get_attribute("lang") == "de"
     switch(bench, german["language"], "en")
     bench.page.reload()

@@ -68,7 +68,7 @@ def test_a_drawn_slab_is_solved_saved_and_undone(server: Server, bench: Bench, t
 def test_a_drag_is_one_edit_in_the_unit_that_stood_there(server: Server, bench: Bench, case: Path) -> None:
     """Dragging a column, and an edge of the slab, changes these numbers only; each is one step of undo."""
     case.write_text(case.read_text().replace('x = "-2 m"', 'x = "-200 cm"  # axis 1'))
-    bench.open(server.start(case))
+    bench.open(server.start(case, by_itself=False))
     before = bench.text()
     bench.drag((-2.0, 1.0), (-1.0, 0.5))
     bench.wait_text('x = "-100 cm"  # axis 1', 'y = "0.5 m"')
@@ -87,7 +87,7 @@ def test_a_drag_is_one_edit_in_the_unit_that_stood_there(server: Server, bench: 
 
 def test_corners_are_drawn_dragged_added_and_removed(server: Server, bench: Bench, case: Path) -> None:
     """A polygon is drawn corner by corner; its corners can be dragged, added on an edge and removed."""
-    bench.open(server.start(case))
+    bench.open(server.start(case, by_itself=False))
     bench.tool("zone")
     for corner in ((0.5, -1.0), (2.5, -1.0), (2.5, 1.0)):
         bench.click(*corner)
@@ -108,7 +108,7 @@ def test_corners_are_drawn_dragged_added_and_removed(server: Server, bench: Benc
 
 def test_the_keyboard_alone_moves_and_removes(server: Server, bench: Bench, case: Path) -> None:
     """Things are selected, moved by steps and removed by keys; a row of steps is one edit."""
-    bench.open(server.start(case))
+    bench.open(server.start(case, by_itself=False))
     drawing = bench.page.locator(".drawing")
     bench.step("n", "olumn A1")
     # one after the other without a pause, however busy the machine is
@@ -158,7 +158,7 @@ def test_a_wrong_unit_is_reported_at_its_field(server: Server, bench: Bench, cas
 
 def test_broken_text_can_be_fixed_where_it_is_broken(server: Server, bench: Bench, case: Path) -> None:
     """While the text is no TOML, all else shows the last one that is, and says why, also once it is loaded again."""
-    bench.open(server.start(case))
+    bench.open(server.start(case, by_itself=False))
     bench.tab("Text")
     area = bench.page.locator(".code-input")
     whole = area.input_value()
@@ -210,7 +210,7 @@ def test_nothing_is_lost_when_the_server_dies(own_server: Server, tabs: Any, cas
 
 def test_a_file_changed_by_others_is_replaced_only_when_asked(server: Server, bench: Bench, case: Path) -> None:
     """Saving over what another program has written needs a yes."""
-    bench.open(server.start(case))
+    bench.open(server.start(case, by_itself=False))
     bench.fill("260 mm", "plate", "thickness")
     bench.wait_text('thickness = "260 mm"')
     case.write_text(case.read_text() + "# a colleague was here\n")
@@ -227,7 +227,7 @@ def test_a_file_changed_by_others_is_replaced_only_when_asked(server: Server, be
 
 def test_two_tabs_show_the_same(server: Server, tabs: Any, case: Path) -> None:
     """An edit in one tab appears in the other, whose own edit of something else is not lost."""
-    url = server.start(case)
+    url = server.start(case, by_itself=False)
     one, two = tabs().open(url), tabs().open(url)
     one.fill("260 mm", "plate", "thickness")
     two.wait_text('thickness = "260 mm"')
@@ -376,7 +376,7 @@ def test_closed_lines_are_no_areas(server: Server, bench: Bench, case: Path) -> 
     support = f'[[supports]]\nkind = "line"\nname = "W"\nstiffness = "10 MN/m^2"\npoints = {square}\n'
     area = '[[loads]]\nkind = "patch"\nq = "5 kPa"\nx = ["1 m", "2 m"]\ny = ["0 m", "1 m"]\n'
     case.write_text(f"{case.read_text()}\n{wall}\n{area}\n{support}")
-    bench.open(server.start(case))
+    bench.open(server.start(case, by_itself=False))
     paths = ['["loads",1]', '["supports",0]', '["loads",2]']
     symbols = [f".drawing .symbol[data-path='{path}'] path" for path in paths]
     bench.page.locator(symbols[-1]).wait_for(state="attached")

@@ -21,7 +21,7 @@ DISTANCES = """() => [...document.querySelectorAll('.drawing .dimension')].map((
 
 def test_twelve_legs_take_few_actions_with_the_mouse(server: Server, bench: Bench, case: Path) -> None:
     """Two fields, one click on the plan and one on the button; one undo takes all legs away."""
-    bench.open(server.start(case))
+    bench.open(server.start(case, by_itself=False))
     page = bench.page
     page.get_by_role("button", name="Racks").click()
     dialog = page.get_by_role("dialog", name="Racks")
@@ -40,7 +40,7 @@ def test_twelve_legs_take_few_actions_with_the_mouse(server: Server, bench: Benc
 
 def test_a_forklift_of_a_class_drives_from_place_to_place(server: Server, bench: Bench, case: Path) -> None:
     """A class fills in the fields, wrong values are marked, two clicks are the path, Escape ends picking and dialog."""
-    bench.open(server.start(case))
+    bench.open(server.start(case, by_itself=False))
     page = bench.page
     page.get_by_role("button", name="Vehicle").click()
     dialog = page.get_by_role("dialog", name="Vehicle")
@@ -71,7 +71,7 @@ def test_a_forklift_of_a_class_drives_from_place_to_place(server: Server, bench:
 
 def test_a_length_is_typed_while_a_column_is_dragged(server: Server, bench: Bench, case: Path) -> None:
     """The column goes by that length along x, since the pointer is nearly in line; releasing adds nothing to it."""
-    bench.open(server.start(case))
+    bench.open(server.start(case, by_itself=False))
     page = bench.page
     page.mouse.move(*bench.pixel(-2, 1))
     page.mouse.down()
@@ -90,7 +90,7 @@ def test_a_length_is_typed_while_a_column_is_dragged(server: Server, bench: Benc
 def test_an_edge_is_bent_into_an_arc(server: Server, bench: Bench, case: Path) -> None:
     """With Ctrl the middle of an edge is dragged to a place of the arc; on the way back the edge is straight again."""
     case.write_text(case.read_text() + POLYGON)
-    bench.open(server.start(case))
+    bench.open(server.start(case, by_itself=False))
     page = bench.page
     bench.click(1.9, 0)
     bench.until(lambda: page.locator(".handle.add").count() == 4)

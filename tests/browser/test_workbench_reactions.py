@@ -16,7 +16,7 @@ def test_reactions_are_shown_and_taken(server: Server, bench: Bench, tmp_path: P
     """What the table leaves open is listed; once it is said, the changes are; undo takes the loads back."""
     case = write_case(tmp_path)
     write_table(tmp_path, ETABS.replace(",Q,", ",LIVE,"))
-    bench.open(server.start(case))
+    bench.open(server.start(case, by_itself=False))
     bench.page.keyboard.press("Control+o")
     bench.page.get_by_role("option", name="reactions.csv").dblclick()
     dialog = bench.page.locator(".reactions-dialog")

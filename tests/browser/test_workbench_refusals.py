@@ -27,7 +27,7 @@ def test_a_case_without_a_slab_says_what_comes_first(server: Server, bench: Benc
     """Tools wait for the slab, all else for what it needs; no control on any tab is disabled without a reason."""
     case = tmp_path / "empty.toml"
     case.write_text('title = "nothing yet"\n')
-    bench.open(server.start(case))
+    bench.open(server.start(case, by_itself=False))
     bench.page.wait_for_selector('.tool[data-tool="column"]:disabled')
     for tab in ("Plan", "Form", "Tables", "Load cases", "Text"):
         bench.tab(tab)
@@ -49,7 +49,7 @@ def test_a_case_without_a_slab_says_what_comes_first(server: Server, bench: Benc
 def test_a_load_on_the_entire_slab_can_be_removed_where_it_is(server: Server, bench: Bench, case: Path) -> None:
     """Delete on its chip and the button remove it; what needs a position on the plan says so."""
     case.write_text(SMALL + '\n[[loads]]\nkind = "uniform"\nq = "10 kPa"\n')
-    bench.open(server.start(case))
+    bench.open(server.start(case, by_itself=False))
     chip = bench.page.locator(".unplaced .chip:not(.add)")
     chip.click()
     bench.page.wait_for_selector(".property-acts button:disabled")
@@ -66,7 +66,7 @@ def test_a_load_on_the_entire_slab_can_be_removed_where_it_is(server: Server, be
 
 def test_nothing_is_drawn_while_the_text_cannot_be_read(server: Server, bench: Bench, case: Path) -> None:
     """Tools are put down and say so, until the text is one again."""
-    bench.open(server.start(case))
+    bench.open(server.start(case, by_itself=False))
     bench.tool("column")
     bench.tab("Text")
     area: Any = bench.page.locator(".code-input")
