@@ -176,7 +176,7 @@ def test_a_tank_from_a_drawing(server: Server, bench: Bench, tmp_path: Path) -> 
         for combination in list_combinations(model)
     }
     heaviest = max(weights, key=weights.__getitem__)
-    [results] = solve(model.replace(combine=None, combinations=(heaviest,))).values()
+    [results] = solve(model.replace(combine=None, combinations=(heaviest,), mesh={"size": 2.0})).values()
     assert results.certificate.load == pytest.approx(weights[heaviest], rel=2e-3)
 
 
