@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from groundslab.arrays import Array, Flags, Integers
-from groundslab.fem.mesh import SIDES, Mesh, local_coordinates, locate
+from groundslab.fem.mesh import SIDES, Mesh, boxes_of, local_coordinates, locate
 from groundslab.fem.shape_functions import gauss_line, q9
 
 #: Nodes closer than this to the line, relative to its length, lie on it; shorter pieces are nothing but rounding.
@@ -65,25 +65,17 @@ def pieces(mesh: Mesh, ends: Array) -> Pieces:
 
     length = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)
     start = np.concatenate([[0.0], np.cumsum(length)[:-1]])
-    middle, radius = _circles(mesh)
-    centers = shapely.points(middle)
-    near = np.zeros(len(mesh.elements), dtype=bool)
+    boxes = boxes_of(mesh)
     leg, low, high = [], [], []
     for i, (a, b) in enumerate(ends):
-        close = shapely.distance(centers, shapely.LineString([a, b])) <= radius + ON_LINE * length[i]
-        near |= close
-        s = _crossings(mesh.xy[close], a, b)
+        near = boxes.query(shapely.LineString([a, b]), predicate="dwithin", distance=ON_LINE * length[i])
+        s = _crossings(mesh.nodes[mesh.elements[near]], a, b)
         leg.append(np.full(len(s) - 1, i))
         low.append(start[i] + s[:-1])
         high.append(start[i] + s[1:])
     legs, lows, highs = np.concatenate(leg), np.concatenate(low), np.concatenate(high)
-    nearby = np.flatnonzero(near)
-    element = np.full(len(legs), -1)
-    if len(nearby):
-        all_of_it = Pieces(ends, start, legs, lows, highs, element)
-        middles = all_of_it.points(np.arange(len(legs)), (lows + highs) / 2)
-        found, _ = locate(Mesh(mesh.nodes, mesh.elements[nearby]), middles)
-        element = np.where(found >= 0, nearby[found], -1)
+    all_of_it = Pieces(ends, start, legs, lows, highs, np.full(len(legs), -1))
+    element, _ = locate(mesh, all_of_it.points(np.arange(len(legs)), (lows + highs) / 2), boxes=boxes)
     on = element >= 0
     return Pieces(ends, start, legs[on], lows[on], highs[on], element[on])
 
@@ -109,14 +101,6 @@ def is_continuous(mesh: Mesh, line: Pieces) -> Flags:
     shared = (before[:, :, None] == after[:, None, :]).any(axis=(1, 2))
     on[1:] = shared & (np.abs(line.low[1:] - line.high[:-1]) <= 10 * ON_LINE * line.high.max(initial=0))
     return on
-
-
-def _circles(mesh: Mesh) -> tuple[Array, Array]:
-    """Return middle (m, 2) and radius (m,) of a circle around each element, its curved sides included."""
-    xy = mesh.xy
-    low, high = xy.min(axis=1), xy.max(axis=1)
-    # a side that bulges reaches at most an eighth of the nodes' extent beyond its three nodes on either side of it
-    return (low + high) / 2, 0.75 * np.linalg.norm(high - low, axis=1)
 
 
 def _crossings(xy: Array, a: Array, b: Array) -> Array:
