@@ -305,7 +305,7 @@ def test_what_of_cracks_of_beams_is_not_checked_is_said() -> None:
 def test_bars_across_a_rib_carry_the_shear_of_its_flange() -> None:
     """V / z of 0.8 / 2 of the flange over 0.25 m: 600 kN, z = 0.63 m, 1.524 MPa, with cot theta_f = 1.2.
 
-    C30/37: nu f_cd / 2 = 0.528 20 / 2 = 5.28 MPa. By ACI 318-19 V / (phi 1.4 420 MPa), at most phi 5.7 MPa; by EN
+    C30/37: nu f_cd / 2 = 0.528 20 / 2 = 5.28 MPa. By ACI 318-19 V / (phi 1.4 413.6 MPa), at most phi 5.7 MPa; by EN
     1992-1-1:2023 with struts of 45 degrees.
     """
     z, share = 0.9 * 0.7, 0.8 / 2.0
