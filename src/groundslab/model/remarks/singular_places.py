@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator, Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
@@ -57,7 +58,7 @@ def singular_places(model: Model) -> dict[str, list[Place]]:
     zone meets the plate's edge, and corners between a clamped and a free edge (Williams 1952).
     """
     plates = model.every_plate
-    ends = [place for _, shape in model.acting if isinstance(shape, LineForce) for place in shape.corners]
+    ends = [*_kinks_of_lines(model)]
     ends += [place for support in model.supports if support.edges for place in support.points]
     corners = [*_between_edges(model.plate)]
     for plate in plates:
@@ -84,9 +85,25 @@ def forces_without_footprint(model: Model) -> Iterator[Place]:
 def kinks_of_loads(model: Model) -> Iterator[Place]:
     """Yield where forces without a footprint act, and where line loads end or bend: what carries them has a kink."""
     yield from forces_without_footprint(model)
-    for _, shape in model.acting:
-        if isinstance(shape, LineForce):
-            yield from shape.corners
+    yield from _kinks_of_lines(model)
+
+
+def _kinks_of_lines(model: Model) -> Iterator[Place]:
+    """Yield where line loads end or bend, but for ends where the next one goes on the same in its load case."""
+    lines = [(load.case, shape) for load, shape in model.acting if isinstance(shape, LineForce)]
+    starts, ends = (Counter((case, *_at_end(line, end)) for case, line in lines) for end in (0, -1))
+    joined = {place for _, place, *_ in starts & ends}
+    kinks = {place for _, place, *_ in (starts - ends) | (ends - starts)}
+    kinks |= {place for _, line in lines for place in line.corners[0 if line.closed else 2 :]}
+    for _, line in lines:
+        yield from (place for place in line.corners if place in kinks or place not in joined)
+
+
+def _at_end(line: LineForce, end: Literal[0, -1]) -> tuple[object, ...]:
+    """Return the place of a line's start (0) or end (-1), and all in which a line that goes on there is the same."""
+    edge = line.edges[end]
+    place, direction = (edge.end, edge.direction(1.0)) if end else (edge.start, edge.direction(0.0))
+    return place, round(direction, 6), line.q[end], line.m[end], line.width
 
 
 def _between_edges(plate: Plate) -> Iterator[Place]:

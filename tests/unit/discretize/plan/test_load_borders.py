@@ -15,6 +15,7 @@ from groundslab.fem.mesh import sides_along
 from groundslab.geometry.plan import Plan, Segment
 from groundslab.model.loads.acting import rings_of
 from groundslab.model.model import Model
+from groundslab.model.remarks.singular_places import singular_places
 
 COLUMN = {"kind": "point", "P": 1e5, "x": 1.0, "y": 0.5, "width_x": 0.4, "width_y": 0.4}
 WALL = {"kind": "line", "q": 1e4, "points": [(-4.0, -1.0), (0.0, -1.0)]}
@@ -61,19 +62,27 @@ def test_a_wall_beside_a_column() -> None:
 
 @pytest.mark.parametrize("mesh", [{}, {"size": 0.5}])
 def test_forces_on_walls_are_followed(mesh: dict[str, Any]) -> None:
-    """And ends of line loads, on any mesh; not beside the wall, nor closer to its end than a quarter of a thickness."""
+    """And ends of line loads, on any mesh; not beside the wall, nor closer to its end than a quarter of a thickness.
+
+    A line load that goes on as the one before it ends there has no kink; of two that end at a place one goes on.
+    """
     wall = {"name": "W", "thickness": 0.2, "height": 2.0, "points": [(-4.0, -1.0), (2.0, -1.0)]}
     loads = [
         *(
             {"kind": "point", "P": 1e5, "x": x, "y": y}
             for x, y in ((0.3, -1.0), (0.3, -1.0), (1.0, -0.9), (1.96, -1.0))
         ),
-        {"kind": "line", "q": 1e4, "points": [(-4.0, -1.0), (-1.0, -1.0)]},
+        {"kind": "line", "q": 1e4, "points": [(-4.0, -1.0), (-3.0, -1.0)]},
+        {"kind": "line", "q": 1e4, "q_end": 2e4, "points": [(-3.0, -1.0), (-2.0, -1.0)]},
+        {"kind": "line", "q": 2e4, "points": [(-2.0, -1.0), (-1.0, -1.0)]},
     ]
     plate = {"length_x": 10.0, "length_y": 6.0, "thickness": 0.2, "E": 30e9, "nu": 0.2}
     given = {"plate": plate, "ground": {"kind": "winkler", "k": 5e7}, "walls": [wall], "loads": loads, "mesh": mesh}
     model = Model.model_validate(given)
     assert plan_of(model, symmetries(model), 0.0).points == ((0.3, -1.0), (-1.0, -1.0))
+    assert singular_places(model)["ends and bends of lines"] == [(-4.0, -1.0), (-1.0, -1.0)]
+    twice = Model.model_validate(given | {"loads": [*loads, loads[4]]})
+    assert plan_of(twice, symmetries(twice), 0.0).points == ((0.3, -1.0), (-3.0, -1.0), (-1.0, -1.0))
 
 
 def test_lines_are_cut_off_where_there_is_no_plate() -> None:
