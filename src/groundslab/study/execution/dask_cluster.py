@@ -19,7 +19,7 @@ import socket
 import time
 from collections.abc import Callable, Generator, Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 from groundslab.errors import GroundslabError, InputError, Issue
@@ -222,7 +222,7 @@ def rows(
 
     client = cluster.client
     packages = packages_of(setup)
-    client.register_plugin(Plugin(name, setup, packages, versions.versions(packages), cluster.own), name=name)
+    client.register_plugin(Plugin(name, _for_workers(setup), packages, versions.versions(packages), cluster.own), name=name)
     run, serial, tasks = secrets.token_hex(4), itertools.count(), Tasks(variants)
     pending: dict[Any, Sequence[Variant]] = {}
     updated, threads = -UPDATE_INTERVAL, 1
@@ -260,6 +260,11 @@ def rows(
             with suppress(Exception):
                 client.cancel(list(pending), force=True)
                 client.unregister_worker_plugin(name)
+
+
+def _for_workers(setup: Setup) -> Setup:
+    """Return a study without the distributions of its variables, whose values are drawn: importing them takes long."""
+    return replace(setup, variables=tuple(replace(variable, distribution=None) for variable in setup.variables))
 
 
 def _outcomes(cluster: Cluster, ended: Sequence[Any]) -> Iterator[tuple[Any, Outcome | str | None]]:
