@@ -13,7 +13,7 @@ import json
 import os
 import re
 from contextlib import AbstractContextManager, nullcontext
-from functools import partial
+from functools import cache, partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -33,6 +33,8 @@ from groundslab.views.translation import translate_drawing, translator_of
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping, Sequence
+
+    from jinja2 import Environment
 
     from groundslab.analysis.ground_comparison.comparison import GroundComparison
     from groundslab.languages import Language, Translator
@@ -277,9 +279,11 @@ def _hash(content: str) -> str:
 
 def _isolate(value: object) -> object:
     """Return a text whose words that run to the left are isolated, so that numbers beside them keep their place."""
+    if not isinstance(value, str) or value.isascii() or not _LEFTWARDS.search(value):
+        return value
     from markupsafe import Markup, escape
 
-    if not isinstance(value, str) or isinstance(value, Markup) or value.isascii() or not _LEFTWARDS.search(value):
+    if isinstance(value, Markup):
         return value
     return Markup(_LEFTWARDS.sub(r"<bdi>\g<0></bdi>", str(escape(value))))
 
@@ -289,11 +293,18 @@ def render_page(template: Path, translate: Translator = str, language: Language 
 
     What a template marks is translated, by `_` and the filters `tr` of texts and `tr_svg` of drawings.
     """
-    from jinja2 import Environment, FileSystemLoader, StrictUndefined
+    page = _environment(template.parent).get_template(template.name)
+    return _CONTROL.sub("\ufffd", page.render(values, _=translate, language=language))
+
+
+@cache
+def _environment(folder: Path) -> Environment:
+    """Return what makes pages of the templates of a folder, each of which is compiled once."""
+    from jinja2 import Environment, FileSystemLoader, StrictUndefined, pass_context
     from markupsafe import Markup
 
     environment = Environment(
-        loader=FileSystemLoader([template.parent, HERE / "templates"]),
+        loader=FileSystemLoader([folder, HERE / "templates"]),
         autoescape=True,
         undefined=StrictUndefined,
         trim_blocks=True,
@@ -301,11 +312,18 @@ def render_page(template: Path, translate: Translator = str, language: Language 
         keep_trailing_newline=True,
         finalize=_isolate,
     )
-    environment.globals["_"] = translate
+
+    def translate_svg(page: Mapping[str, Any], svg: str) -> str:
+        return svg if page["language"] == "en" else Markup(translate_drawing(svg, page["_"]))
+
+    def formula_pieces(page: Mapping[str, Any], text: str) -> Any:
+        return (split_formula if page["language"] == "en" else split_with_commas)(text)
+
     environment.filters |= {
-        "tr": lambda text: translate(str(text)),
-        "tr_svg": lambda svg: Markup(translate_drawing(svg, translate)) if language != "en" else svg,
+        "tr": pass_context(lambda page, text: page["_"](str(text))),
+        "tr_svg": pass_context(translate_svg),
+        "pieces": split_symbol,
+        "word_pieces": split_words,
+        "formula_pieces": pass_context(formula_pieces),
     }
-    split = split_formula if language == "en" else split_with_commas
-    environment.filters |= {"pieces": split_symbol, "word_pieces": split_words, "formula_pieces": split}
-    return _CONTROL.sub("\ufffd", environment.get_template(template.name).render(values, language=language))
+    return environment
