@@ -222,7 +222,9 @@ def rows(
 
     client = cluster.client
     packages = packages_of(setup)
-    client.register_plugin(Plugin(name, _for_workers(setup), packages, versions.versions(packages), cluster.own), name=name)
+    client.register_plugin(
+        Plugin(name, _for_workers(setup), packages, versions.versions(packages), cluster.own), name=name
+    )
     run, serial, tasks = secrets.token_hex(4), itertools.count(), Tasks(variants)
     pending: dict[Any, Sequence[Variant]] = {}
     updated, threads = -UPDATE_INTERVAL, 1
