@@ -71,11 +71,16 @@ def main(pipe: Connection, task: Callable[..., Any], *arguments: Any) -> None:
             pipe.send(("progress", words))
             sent = time.monotonic()
 
+    pipe.send(outcome_of(task, tell, *arguments))
+
+
+def outcome_of(task: Callable[..., Any], tell: Callable[[str], None], *arguments: Any) -> tuple[str, Any]:
+    """Return ("done", result) or ("refused", document) of a task that tells how it goes on."""
     try:
-        pipe.send(("done", task(tell, *arguments)))
+        return "done", task(tell, *arguments)
     except (GroundslabError, OSError, MemoryError) as error:
-        pipe.send(("refused", error_to_json(error)))
+        return "refused", error_to_json(error)
     except Exception as error:
         traceback.print_exc()
         message = f"an error in groundslab itself: {type(error).__name__}: {error}"
-        pipe.send(("refused", error_to_json(RuntimeError(message))))
+        return "refused", error_to_json(RuntimeError(message))

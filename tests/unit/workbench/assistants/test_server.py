@@ -26,7 +26,7 @@ from mcp import Client, MCPError
 from mcp.client.stdio import StdioServerParameters
 
 from groundslab.workbench.assistants import server, tasks
-from groundslab.workbench.assistants.process import TaskRefused, run
+from groundslab.workbench.assistants.process import TaskRefused, outcome_of, run
 
 #: A slab that takes long enough to be cancelled: a fine mesh, of which the first step is told early.
 LARGE = small_case.TEXT.replace("counts = [4, 3]", "counts = [160, 120]")
@@ -36,13 +36,31 @@ def converse(root: Path, talk: Callable[[Client], Awaitable[Any]]) -> Any:
     """Start a server for a folder in a process of its own and return what a conversation comes to."""
     path = os.pathsep.join(filter(None, [str(ROOT / "src"), os.environ.get("PYTHONPATH", "")]))
     arguments = ["-m", "groundslab", "mcp", str(root)]
-    server = StdioServerParameters(command=sys.executable, args=arguments, env={"PYTHONPATH": path})
+    parameters = StdioServerParameters(command=sys.executable, args=arguments, env={"PYTHONPATH": path})
 
     async def talk_to_it() -> Any:
-        async with Client(server) as client:
+        async with Client(parameters) as client:
             return await talk(client)
 
     return asgi.run(talk_to_it())
+
+
+def converse_here(root: Path, talk: Callable[[Client], Awaitable[Any]]) -> Any:
+    """Return what a conversation comes to with a server for a folder in this process, where it also does its tasks."""
+
+    async def do_here(task: Callable[..., Any], *arguments: Any, **_: Any) -> Any:
+        kind, content = outcome_of(task, lambda _: None, *arguments)
+        if kind == "refused":
+            raise TaskRefused(content)
+        return content
+
+    async def talk_to_it() -> Any:
+        async with Client(server.create_server(root)) as client:
+            return await talk(client)
+
+    with pytest.MonkeyPatch.context() as patched:
+        patched.setattr(server, "run", do_here)
+        return asgi.run(talk_to_it())
 
 
 def document(answer: Any) -> dict[str, Any]:
@@ -118,7 +136,7 @@ def test_wrong_input(root: Path) -> None:
     async def talk(client: Client) -> list[Any]:
         return [await client.call_tool(name, arguments) for name, arguments in calls]
 
-    checked, *errors = converse(root, talk)
+    checked, *errors = converse_here(root, talk)
     assert not checked.is_error
     assert [issue["location"] for issue in document(checked)["issues"]] == ["plate.nu"]
     assert all(error.is_error for error in errors)
@@ -158,7 +176,7 @@ def test_hostile_paths(root: Path, tmp_path: Path) -> None:
     async def talk(client: Client) -> list[Any]:
         return [await client.call_tool(name, arguments) for name, arguments in calls]
 
-    answers = converse(root, talk)
+    answers = converse_here(root, talk)
     refused = [answer.is_error or document(answer)["status"] == "wrong input" for answer in answers]
     assert refused == [True] * len(calls)
     assert '"issues": [{' in answers[5].content[0].text
@@ -252,8 +270,11 @@ def test_few_processes_run_at_once(root: Path, monkeypatch: pytest.MonkeyPatch) 
 
 
 @pytest.mark.slow
-def test_a_solve_that_is_cancelled_makes_room_for_the_next(root: Path) -> None:
-    """Cancelled at its first message, it writes nothing, and the next case is solved."""
+def test_solves_that_are_given_up_make_room_for_the_next(root: Path) -> None:
+    """Cancelled at its first message, it writes nothing; nor does one whose client does not wait. The server goes on.
+
+    The next case is solved then.
+    """
     (root / "large.toml").write_text(LARGE, encoding="utf-8")
 
     async def talk(client: Client) -> Any:
@@ -264,23 +285,12 @@ def test_a_solve_that_is_cancelled_makes_room_for_the_next(root: Path) -> None:
 
             await client.call_tool("solve", {"case": "large.toml"}, progress_callback=cancel)
         assert scope.cancelled_caught
+        with pytest.raises(MCPError, match="timed out"):
+            await client.call_tool("solve", {"case": "large.toml"}, read_timeout_seconds=0.5)
         return await client.call_tool("solve", {"case": "slab.toml"})
 
     assert not converse(root, talk).is_error
     assert sorted(path.name for path in root.iterdir()) == ["large.toml", "slab-results", "slab.toml"]
-
-
-@pytest.mark.slow
-def test_a_call_that_takes_too_long_for_the_client(root: Path) -> None:
-    """A client that does not wait gets no answer, and the server goes on."""
-    (root / "large.toml").write_text(LARGE, encoding="utf-8")
-
-    async def talk(client: Client) -> Any:
-        with pytest.raises(MCPError, match="timed out"):
-            await client.call_tool("solve", {"case": "large.toml"}, read_timeout_seconds=0.5)
-        return await client.call_tool("check", {"case": "slab.toml"})
-
-    assert not converse(root, talk).is_error
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="os.kill with 0 ends a process there")
