@@ -69,11 +69,13 @@ def percentile(x: Array, p: float, level: float = LEVEL) -> Estimate:
     enclose it with the given confidence (David and Nagaraja 2003, 7.1). Where the samples are too few for an end, it is
     infinite.
     """
-    from scipy.stats import quantile_test
+    from scipy.special import bdtr, bdtrc
 
-    low, high = quantile_test(x, p=p).confidence_interval(level)
-    low, high = float(np.nan_to_num(low, nan=-np.inf)), float(np.nan_to_num(high, nan=np.inf))
-    return Estimate(float(np.quantile(x, p)), low, high)
+    tail, counts = (1 - level) / 2, np.arange(len(x))
+    ordered = np.concatenate([[-np.inf], np.sort(x), [np.inf]])
+    first = np.count_nonzero(bdtr(counts, len(x), p) < tail)
+    last = np.count_nonzero(bdtrc(counts, len(x), p) > tail) + 1
+    return Estimate(float(np.quantile(x, p)), float(ordered[first]), float(ordered[last]))
 
 
 def probability(count: int, n: int, level: float = LEVEL) -> Estimate:
