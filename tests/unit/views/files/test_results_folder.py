@@ -4,11 +4,10 @@ from __future__ import annotations
 
 import csv
 import json
+import multiprocessing
 import os
 import shutil
 import signal
-import subprocess
-import sys
 import time
 from contextlib import suppress
 from dataclasses import asdict, replace
@@ -35,8 +34,7 @@ from groundslab.errors import (
 from groundslab.results.results import Increment
 from groundslab.views.files import npz, results_folder
 from groundslab.views.files.manifest import DEEPEST, folder_name, is_path
-from helpers import damage, small_case, synthetic
-from helpers.paths import ROOT
+from helpers import damage, dying, small_case, synthetic
 
 OLD, NEW = synthetic.results(), synthetic.results(lifts=False)
 TABLES = {f"tables/{name}.csv" for name in ("combinations", "extremes", "envelope", "tilt")}
@@ -654,28 +652,20 @@ class TestRecover:
         assert contents(folder) == {"notes.txt": b"mine"}
 
 
-#: Writes new results in a process that dies at the n-th call of a function of ``os``, before or after it acts.
-DYING = f"""
-import itertools, os, signal, sys
-sys.path.insert(0, {str(ROOT / "tests")!r})
-from helpers import synthetic
-from groundslab.views.files import npz as archive, results_folder as store, vtk as vtu
-from groundslab.views.summary import sections as summary
-function, number, moment, folder = sys.argv[1], int(sys.argv[2]), sys.argv[3], sys.argv[4]
-original, calls = getattr(os, function), itertools.count(1)  # counted in whatever thread
-def die():
-    os.kill(os.getpid(), signal.SIGKILL) if hasattr(signal, "SIGKILL") else os._exit(9)
-def fatal(*arguments, **options):
-    call = next(calls)
-    if call == number and moment == "before":
-        die()
-    value = original(*arguments, **options)
-    if call == number:
-        die()
-    return value
-setattr(os, function, fatal)
-store.save_results(synthetic.combined() if "several" in sys.argv else synthetic.results(lifts=False), folder)
-"""
+#: How processes start that die: forked from one that has loaded everything, where the system can.
+PROCESSES = multiprocessing.get_context(
+    "forkserver" if "forkserver" in multiprocessing.get_all_start_methods() else "spawn"
+)
+
+
+def killed(function: str, number: int, moment: str, folder: Path, several: bool = False) -> bool:
+    """Return whether a process that saves results is killed at a call of the system."""
+    if hasattr(PROCESSES, "set_forkserver_preload"):
+        PROCESSES.set_forkserver_preload(["__main__", dying.__name__])
+    process = PROCESSES.Process(target=dying.save, args=(function, number, moment, folder, several))
+    process.start()
+    process.join()
+    return process.exitcode == (-signal.SIGKILL if hasattr(signal, "SIGKILL") else 9)
 
 
 @pytest.mark.slow
@@ -699,12 +689,7 @@ def test_a_killed_run_leaves_whole_results(
 ) -> None:
     """Wherever a run is killed, all of the old or all of the new results are there and can be replaced."""
     before = contents(folder)
-    run = subprocess.run(
-        [sys.executable, "-c", DYING, function, str(number), moment, str(folder)],
-        capture_output=True,
-        check=False,
-    )
-    assert run.returncode == (-signal.SIGKILL if hasattr(signal, "SIGKILL") else 9), run.stderr.decode()
+    assert killed(function, number, moment, folder)
     assert folder.exists() is not needs_recovery
     assert results_folder.recover(folder) is needs_recovery
     if survives == "old":
@@ -735,9 +720,7 @@ def test_a_killed_run_of_several_leaves_whole_results(
     folder = results_folder.save_results(OLD if before == "one" else synthetic.combined(), tmp_path / "raft")
     (folder / ".DS_Store").touch()
     old = tree(folder)
-    arguments = [function, str(number), moment, str(folder), "several"]
-    run = subprocess.run([sys.executable, "-c", DYING, *arguments], capture_output=True, check=False)
-    assert run.returncode == (-signal.SIGKILL if hasattr(signal, "SIGKILL") else 9), run.stderr.decode()
+    assert killed(function, number, moment, folder, several=True)
     assert results_folder.recover(folder) is needs_recovery
     if survives == "old":
         assert tree(folder) == old
