@@ -203,28 +203,58 @@ def _trim(excess: Array, window: Window) -> Window | None:
     return int(i0 + along[0]), int(i0 + along[-1] + 1), int(j0 + across[0]), int(j0 + across[-1] + 1)
 
 
-def _ends(
-    profiles: Array, start: int, length: int, width: Array, options: Options
-) -> tuple[Array, Integers, Integers, Integers]:
-    """Return the steel, the option and the ends in cells of the best zone of each profile, all (c,).
+@dataclass(frozen=True)
+class _Spans:
+    """How far each option's bars reach, (c, o) of c sets of cells.
 
-    Profiles (c, m) are what bars need along them, from the cell `start` of a plan that is so many cells long; width
-    (c,) is that of the zones in cells. The steel is inf where no option is enough.
+    Attributes
+    ----------
+    low, high : array (c, o)
+        The ends of what is to be covered, anchorage included, in cells; inf and -inf where nothing is needed.
+    share : array (c, o)
+        The largest share of the bars' area that is needed.
     """
-    place = start + np.arange(profiles.shape[1])[None, :, None]
+
+    low: Array
+    high: Array
+    share: Array
+
+    def grown(self, *, backwards: bool) -> _Spans:
+        """Return the spans of all sets up to each one but the last; backwards, of all after each one but the last."""
+        turn = slice(None, None, -1) if backwards else slice(None)
+        kept = slice(1, None) if backwards else slice(None, -1)
+        low, high, share = (
+            of.accumulate(values[turn], axis=0)[turn][kept]
+            for of, values in ((np.minimum, self.low), (np.maximum, self.high), (np.maximum, self.share))
+        )
+        return _Spans(low, high, share)
+
+
+def _spans(profiles: Array, place: Integers, options: Options) -> _Spans:
+    """Return the spans of profiles (c, m), what bars need along them in cells at places (m,) or (c, m)."""
+    at = place[..., None]
     share = profiles[:, :, None] / options.area  # (c, m, o)
     none = share <= 0
     reach = share * options.anchorage
-    low = np.where(none, np.inf, place - reach).min(axis=1)
-    high = np.where(none, -np.inf, place + 1 + reach).max(axis=1)
+    low = np.where(none, np.inf, at - reach).min(axis=1)
+    high = np.where(none, -np.inf, at + 1 + reach).max(axis=1)
+    return _Spans(low, high, share.max(axis=1))
+
+
+def _ends(spans: _Spans, length: int, width: Array, options: Options) -> tuple[Array, Integers, Integers, Integers]:
+    """Return the steel, the option and the ends in cells of the best zone over each span, all (c,).
+
+    The plan is so many cells long; width (c,) is that of the zones in cells. The steel is inf where no option is
+    enough.
+    """
     every = options.every
-    low = np.maximum(np.floor((low + ROUNDING) / every) * every, 0)
-    high = np.minimum(np.ceil((high - ROUNDING) / every) * every, length)
+    low = np.maximum(np.floor((spans.low + ROUNDING) / every) * every, 0)
+    high = np.minimum(np.ceil((spans.high - ROUNDING) / every) * every, length)
     size = np.minimum(np.maximum(high - low, options.least[0]), length)
     held = options.edge * ((low == 0).astype(float) + (high == length))
-    steel = np.where(share.max(axis=1) > 1 + 1e-12, np.inf, options.area * (size + held) * width[:, None])
+    steel = np.where(spans.share > 1 + 1e-12, np.inf, options.area * (size + held) * width[:, None])
     option = np.argmin(steel, axis=1)
-    row = np.arange(len(profiles))
+    row = np.arange(len(steel))
     return steel[row, option], option, low[row, option].astype(int), high[row, option].astype(int)
 
 
@@ -232,9 +262,9 @@ def _leaf(excess: Array, needs: Window, options: Options) -> _Leaf:
     """Return the best zone over a window that is trimmed."""
     i0, i1, j0, j1 = needs
     m, w = excess.shape
-    profile = excess[i0:i1, j0:j1].max(axis=1)[None]
+    spans = _spans(excess[i0:i1, j0:j1].max(axis=1)[None], np.arange(i0, i1), options)
     width = np.array([min(max(j1 - j0, options.least[1]), w)])
-    steel, option, low, high = _ends(profile, i0, m, width, options)
+    steel, option, low, high = _ends(spans, m, width, options)
     along = _at_least(int(low[0]), int(high[0]), options.least[0], m, options.every)
     across = _at_least(j0, j1, options.least[1], w, 1)
     return _Leaf(needs, Zone((*along, *across), int(option[0]), float(steel[0])))
@@ -257,10 +287,7 @@ def _best_cut(excess: Array, leaf: _Leaf, options: Options) -> tuple[float, _Lea
     candidates = []
     for axis in (0, 1):
         if part.shape[axis] > 1:
-            before, after = (
-                _cut_off(part, axis, leaf.needs, excess.shape, options, last=last) for last in (False, True)
-            )
-            steel = before + after
+            steel = _cut(part, axis, leaf.needs, excess.shape, options)
             place = int(np.argmin(steel))
             candidates.append((float(steel[place]), axis, place + 1))
     if not candidates:
@@ -275,30 +302,26 @@ def _best_cut(excess: Array, leaf: _Leaf, options: Options) -> tuple[float, _Lea
     return sum(half.zone.steel for half in parts) - leaf.zone.steel, parts[0], parts[1]
 
 
-def _cut_off(part: Array, axis: int, needs: Window, shape: tuple[int, ...], options: Options, *, last: bool) -> Array:
-    """Return the steel (c,) of what lies before each cut across an axis, or after it, of a window's cells (m, w)."""
-    m, w = part.shape
-    needed = part > 0
-    count = part.shape[axis] - 1
-    if axis == 1:  # strips of whole bars: their profiles grow cut by cut
-        turned = part[:, ::-1] if last else part
-        profiles = np.maximum.accumulate(turned, axis=1)[:, :count].T
-        filled = np.flatnonzero(needed.any(axis=0))
-        filled = w - 1 - filled if last else filled
-        ends = np.zeros(w, dtype=int)
-        ends[filled] = filled + 1
-        width = np.maximum.accumulate(ends)[:count]
+def _cut(part: Array, axis: int, needs: Window, shape: tuple[int, ...], options: Options) -> Array:
+    """Return the steel (c,) of both zones over a window's cells (m, w) apart, for each cut across an axis."""
+    place = np.arange(needs[0], needs[1])
+    needed, w = part > 0, part.shape[1]
+    if axis == 1:  # strips of whole bars
+        spans, filled = _spans(part.T, place, options), needed.any(axis=0)
+        first, last = np.where(filled, np.arange(w), w), np.where(filled, np.arange(w), -1)
     else:
-        profile = part.max(axis=1)
-        profile = profile[::-1] if last else profile
-        profiles = np.where(np.arange(m) <= np.arange(count)[:, None], profile, 0.0)
-        grown: Flags = np.cumsum(needed[::-1] if last else needed, axis=0)[:count] > 0
-        width = w - np.argmax(grown, axis=1) - np.argmax(grown[:, ::-1], axis=1)
-        profiles = profiles[:, ::-1] if last else profiles
-    if last:
-        profiles, width = profiles[::-1], width[::-1]
-    width = np.minimum(np.maximum(width, options.least[1]), shape[1])
-    return _ends(profiles, needs[0], shape[0], width, options)[0]
+        spans, filled = _spans(part.max(axis=1)[:, None], place[:, None], options), needed.any(axis=1)
+        first = np.where(filled, needed.argmax(axis=1), w)
+        last = np.where(filled, w - 1 - needed[:, ::-1].argmax(axis=1), -1)
+    before = np.maximum.accumulate(last) - np.minimum.accumulate(first)
+    after = np.maximum.accumulate(last[::-1])[::-1] - np.minimum.accumulate(first[::-1])[::-1]
+    steel = [
+        _ends(
+            spans.grown(backwards=backwards), shape[0], np.minimum(np.maximum(of, options.least[1]), shape[1]), options
+        )[0]
+        for backwards, of in ((False, before[:-1] + 1), (True, after[1:] + 1))
+    ]
+    return steel[0] + steel[1]
 
 
 def _join(excess: Array, leaves: list[_Leaf], options: Options, joints: dict[Window, _Leaf]) -> list[_Leaf]:
