@@ -21,6 +21,7 @@ from groundslab.design.demands import perimeter_loads
 from groundslab.design.en1992.checks.governing_perimeters import demands
 from groundslab.design.en1992.checks.punching_demand import Demands
 from groundslab.design.en1992_2023.checks.punching_demand import column_demands
+from helpers.solve_once import solve_once
 
 LENGTH_X, LENGTH_Y, H, K, UNIT_WEIGHT = 18.0, 10.0, 0.4, 40e6, 25e3
 D = H - 0.045
@@ -105,7 +106,7 @@ def model(reinforcement: dict[str, Any]) -> gs.Model:
 @pytest.fixture(scope="module")
 def results() -> gs.Results:
     """Return the slab by EN 1992-1-1, solved."""
-    return gs.solve(model({"concrete": "C30/37", "steel": "B500B"}))
+    return solve_once(model({"concrete": "C30/37", "steel": "B500B"}))
 
 
 @pytest.fixture(scope="module")
@@ -117,7 +118,7 @@ def by_en1992(results: gs.Results) -> Demands:
 @pytest.fixture(scope="module")
 def aci_results() -> gs.Results:
     """Return the slab by ACI 318, solved."""
-    return gs.solve(model({"code": "ACI 318", "f_ck": 30e6, "f_yk": 420e6}))
+    return solve_once(model({"code": "ACI 318", "f_ck": 30e6, "f_yk": 420e6}))
 
 
 @pytest.fixture(scope="module")
@@ -318,7 +319,7 @@ def test_ten_columns_by_en1992(each: dict[str, Any], results: gs.Results, by_en1
 @pytest.fixture(scope="module")
 def second_results() -> gs.Results:
     """Return the slab by EN 1992-1-1:2023, solved."""
-    return gs.solve(model({"code": "EN 1992-1-1:2023", "concrete": "C30/37", "steel": "B500B"}))
+    return solve_once(model({"code": "EN 1992-1-1:2023", "concrete": "C30/37", "steel": "B500B"}))
 
 
 def face_of(each: dict[str, Any], line: Sampled) -> float:

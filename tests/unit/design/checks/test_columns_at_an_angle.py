@@ -15,6 +15,7 @@ from groundslab.design.checks import check_design
 from groundslab.design.demands.perimeters import RectangularColumn
 from groundslab.design.en1992.checks.governing_perimeters import demands
 from groundslab.design.en1992_2023.checks.punching_demand import column_demands
+from helpers.solve_once import solve_once
 
 #: Perimeters have chords for arcs, shorter by 3e-5 at most, whose corners do not turn with the column.
 CHORDS = 1e-4
@@ -119,7 +120,7 @@ def test_a_slab_turned_with_its_columns(code: str) -> None:
     Both are solved on adaptive meshes, whose errors in these demands are a tenth of what chords make, by their own
     estimate; settlements of the columns agree as well.
     """
-    solved = [gs.solve(model(code, turn)) for turn in (0.0, 30.0)]
+    solved = [solve_once(model(code, turn)) for turn in (0.0, 30.0)]
     before, after = (numbers(code, results) for results in solved)
     assert set(before) == set(after) == set(COLUMNS)
     for name, known in before.items():
@@ -135,10 +136,10 @@ def test_a_slab_turned_with_its_columns(code: str) -> None:
 def test_a_quarter_turn_exchanges_the_sides(code: str) -> None:
     """A column of b x h at 90, -90 or 270 degrees is one of h x b, and a square one itself, to the last digit."""
     plain = {name: (x, y, b, h, 0.0) for name, (x, y, b, h, _) in COLUMNS.items()}
-    want = check_design(gs.solve(model(code, columns=plain, mesh={"size": 0.5}))).checks
+    want = check_design(solve_once(model(code, columns=plain, mesh={"size": 0.5}))).checks
     for quarter in (90.0, -90.0, 270.0):
         columns = {name: (x, y, h, b, quarter) for name, (x, y, b, h, _) in plain.items()}
-        found = check_design(gs.solve(model(code, columns=columns, mesh={"size": 0.5}))).checks
+        found = check_design(solve_once(model(code, columns=columns, mesh={"size": 0.5}))).checks
         assert [(each.name, each.of, each.demand, each.utilisation, each.error) for each in found] == [
             (each.name, each.of, each.demand, each.utilisation, each.error) for each in want
         ]
@@ -152,7 +153,7 @@ def test_an_angle_matters(code: str) -> None:
     """
     plain = {name: (x, y, b, h, 0.0) for name, (x, y, b, h, _) in COLUMNS.items()}
     before, after = (
-        numbers(code, gs.solve(model(code, columns=each, mesh={"size": 0.5}))) for each in (plain, COLUMNS)
+        numbers(code, solve_once(model(code, columns=each, mesh={"size": 0.5}))) for each in (plain, COLUMNS)
     )
     for name in ("inside", "askew"):
         assert after[name] != pytest.approx(before[name], rel=1e-2), name
@@ -161,7 +162,7 @@ def test_an_angle_matters(code: str) -> None:
 def test_one_way_shear_at_d_from_a_column_at_an_angle() -> None:
     """Cuts of ACI 318 are d away from the lines across the bars that touch the column: those through its corners."""
     columns = {"inside": (0.0, 0.0, 0.4, 0.4, 45.0)}
-    results = gs.solve(model("ACI 318", columns=columns, mesh={"size": 0.5}))
+    results = solve_once(model("ACI 318", columns=columns, mesh={"size": 0.5}))
     steel = results.model.reinforcement
     assert steel is not None
     d = 0.5 - 0.05

@@ -28,6 +28,7 @@ from groundslab.views.summary.json_summary import json_text
 from groundslab.views.summary.terminal import between_text, print_summary
 from helpers import synthetic
 from helpers.pages import page
+from helpers.solve_once import solve_once
 
 STEEL = {"f_ck": 30e6, "f_yk": 500e6, "bottom": (0.04, 0.05), "top": (0.03, 0.045)}
 SERVICE = {"name": "SLS", "limit_state": "characteristic", "factors": {"G": 1.0}}
@@ -279,7 +280,7 @@ def row(check: DesignCheck) -> tuple[str, str, str]:
 @pytest.mark.parametrize("changes", [{}, ACI, SECOND, FLOOR], ids=["EN 1992", "ACI 318", "2023", "floor"])
 def test_every_row_has_an_error_that_holds(changes: dict[str, Any]) -> None:
     """Each demand of the results has an error, and a mesh of an eighth of the size lies within it."""
-    coarse, truth = (check_design(solve(raft(size, **changes))).checks for size in (0.5, 0.125))
+    coarse, truth = (check_design(solve_once(raft(size, **changes))).checks for size in (0.5, 0.125))
     true = {row(check): check.utilisation for check in truth}
     told = [check for check in coarse if check.demand is not None and check.name not in GIVEN]
     assert {check.name for check in told if check.error is None} == set()

@@ -9,11 +9,11 @@ from typing import Any
 import numpy as np
 import pytest
 
-from groundslab.analysis.driver import solve
 from groundslab.design.checks import DesignCheck, check_design
 from groundslab.design.checks.one_way_shear.necks import neck_cuts
 from groundslab.model.model import Model
 from groundslab.results.results import Results
+from helpers.solve_once import solve_once
 
 CODES = ("EN 1992-1-1", "EN 1992-1-1:2023", "ACI 318")
 H, D, Q, WIDTH = 0.5, 0.5 - 0.045, 60e3, 0.6
@@ -60,7 +60,7 @@ def notched(code: str, length: float = 1.0, *, wall: bool = False) -> Results:
     voids = [rectangle((-half, half), (3, end)), rectangle((-2, 2), (end, end + 1))]
     model = raft(code, {"outline": outline}, voids)
     line = {"kind": "line", "q": 1.0, "points": [(0, 2.6), (0, end + 0.6)], "case": "G"}
-    return solve(model.replace(loads=[*model.loads, line]) if wall else model)
+    return solve_once(model.replace(loads=[*model.loads, line]) if wall else model)
 
 
 def shear_of(combined: Results) -> DesignCheck:
@@ -126,7 +126,7 @@ def test_necks_beside_openings_share_what_passes() -> None:
     openings = [rectangle((-1.7, -0.3), (3, 4)), rectangle((0.3, 1.7), (3, 4))]
     voids = [rectangle((-2, 2), (4, 5)), *(rectangle(x, (3, 4)) for x in ((-2, -1.7), (-0.3, 0.3), (1.7, 2)))]
     plate = {"outline": sheet(2, 5), "openings": openings}
-    combined = solve(raft("ACI 318", plate, voids))
+    combined = solve_once(raft("ACI 318", plate, voids))
     results = combined["ULS"]
     cuts = neck_cuts(results, np.full(len(results.plate.nodes), H))
     middle = [cut for cut in cuts if abs(cut.place[1] - 3.5) < 0.2 and abs(cut.normal[1]) > 0.99]
@@ -144,7 +144,7 @@ def test_wide_slab_and_corners_have_no_necks() -> None:
     opening = {"kind": "circle", "centre": (0, 3.2), "radius": 0.3}
     for openings in ([], [opening]):
         plate = {"outline": sheet(2.5, 5), "openings": openings}
-        results = solve(raft("ACI 318", plate, []))["ULS"]
+        results = solve_once(raft("ACI 318", plate, []))["ULS"]
         assert not neck_cuts(results, np.full(len(results.plate.nodes), H / 2))
 
 
@@ -155,7 +155,7 @@ def test_the_narrowest_place_between_round_openings_is_found() -> None:
     squares = [rectangle((-1.3, -0.2), (2.5, 3.0)), rectangle((0.2, 1.3), (3.3, 3.8))]
     for openings, width in ((circles, 0.6), (squares, 0.5)):
         plate = {"outline": sheet(2.5, 6), "openings": openings}
-        results = solve(raft("ACI 318", plate, []))["ULS"]
+        results = solve_once(raft("ACI 318", plate, []))["ULS"]
         cuts = neck_cuts(results, np.full(len(results.plate.nodes), 0.3))
         lengths = [float(np.linalg.norm(cut.legs[0, 1] - cut.legs[0, 0])) for cut in cuts]
         assert min(lengths) == pytest.approx(width, rel=0.02)

@@ -10,7 +10,6 @@ from typing import Any
 import numpy as np
 import pytest
 
-from groundslab.analysis.driver import solve
 from groundslab.design.checks import DesignCheck, check_design
 from groundslab.design.checks.one_way_shear.faces import bearers, pressing
 from groundslab.design.demands.edge_strip import line_force_share, spread_edge_force, strip_width
@@ -19,6 +18,7 @@ from groundslab.results.record import Constants
 from groundslab.results.results import Results
 from helpers import synthetic
 from helpers.calculations import follow_steps
+from helpers.solve_once import solve_once
 
 STEEL = {"f_ck": 30e6, "f_yk": 500e6, "bottom": (0.04, 0.05), "top": (0.04, 0.05)}
 D = 0.4 - 0.045
@@ -58,7 +58,7 @@ def test_shear_begins_at_d_from_a_wall_on_its_worse_side() -> None:
 
     near, far = beyond(e + D, B / 2), beyond(e - D, -B / 2)
     assert (near / 1e3, far / 1e3) == pytest.approx((161.4, 130.5), abs=0.1)
-    check = shear_of(solve(strip([WALL], {"G": 1.5})))
+    check = shear_of(solve_once(strip([WALL], {"G": 1.5})))
     assert check.demand == pytest.approx(near / 1e3, rel=0.01)
     assert check.place is not None
     assert check.place[1] == pytest.approx(e + D)
@@ -71,7 +71,7 @@ def test_shear_begins_at_d_from_the_faces_of_a_thick_wall() -> None:
     near = q / B * (B / 2 - y + 12 * e / B**2 * ((B / 2) ** 2 - y**2) / 2)
     wall = {"name": "W", "thickness": 2 * half, "points": WALL["points"]}
     on_wall = {"kind": "line", "q": 300e3, "wall": "W", "case": "G"}
-    check = shear_of(solve(strip([on_wall], {"G": 1.5}, walls=[wall])))
+    check = shear_of(solve_once(strip([on_wall], {"G": 1.5}, walls=[wall])))
     assert near / 1e3 == pytest.approx(134.4, abs=0.1)
     assert check.demand == pytest.approx(near / 1e3, rel=0.01)
     assert check.place is not None
@@ -93,14 +93,14 @@ def test_shear_begins_at_d_from_a_line_support(code: str) -> None:
         plate={"length_x": 6, "length_y": 6, "thickness": 1.0, "E": 31e9, "nu": 0.0},
         ground={"kind": "winkler", "k": 1e3}, supports=supports, reinforcement={**STEEL, "code": code},
     )  # fmt: skip
-    check = shear_of(solve(model))
+    check = shear_of(solve_once(model))
     assert check.demand == pytest.approx(400 * (2.5 - (1.0 - 0.045)), rel=0.01)
 
 
 def test_columns_without_a_force_hide_no_shear() -> None:
     """Columns along a wall that carry nothing punch nothing: 161.4 kN/m at d from the wall, as without them."""
     columns = [{"name": f"C{x}", "x": x, "y": 0.3, "width_x": 0.2, "width_y": 0.2} for x in range(-2, 3)]
-    check = shear_of(solve(strip([WALL], {"G": 1.5}, columns=columns)))
+    check = shear_of(solve_once(strip([WALL], {"G": 1.5}, columns=columns)))
     assert check.demand == pytest.approx(161.4, rel=0.01)
 
 
@@ -119,7 +119,7 @@ def test_thinner_slab_near_a_column_counts(code: str) -> None:
         reinforcement={**STEEL, "code": code}, mesh={"size": 0.2},
     )  # fmt: skip
     p, d = 960 / (6 * 1.5), 0.25 - 0.045
-    check = shear_of(solve(model))
+    check = shear_of(solve_once(model))
     assert check.demand is not None
     assert p * (3 - 0.6 - d - 0.1) * 0.99 < check.demand < p * (3 - 0.6 - d) * 1.01
 
@@ -127,7 +127,7 @@ def test_thinner_slab_near_a_column_counts(code: str) -> None:
 def test_shear_counts_up_to_a_wall_that_pulls() -> None:
     """A wall that pulls 100 kN/m out of a slab under 100 kPa: the force nearer than d counts (ACI 7.4.3.2(a))."""
     loads = [{"kind": "uniform", "q": 100e3, "case": "G"}, {**WALL, "q": -100e3, "case": "W"}]
-    check = shear_of(solve(strip(loads, {"G": 1.0, "W": 1.0})))
+    check = shear_of(solve_once(strip(loads, {"G": 1.0, "W": 1.0})))
     assert check.place is not None
     assert abs(check.place[1] - 0.3) < D - 0.01
 
@@ -163,7 +163,7 @@ def edge_walls(relieves: bool = False) -> Results:
         reinforcement={**STEEL, "line_force_relieves": relieves},
         limits={"pressure": 400e3}, soil_strength={"phi": 30, "unit_weight": 18e3},
     )  # fmt: skip
-    return solve(model)
+    return solve_once(model)
 
 
 def test_the_line_force_along_the_edge_relieves_no_shear() -> None:
@@ -214,7 +214,7 @@ def test_much_line_force_needs_attention() -> None:
     assert row.status == "attention"
     assert row.demand == pytest.approx(100 * share, rel=0.01)
     assert line_force_share(results) == pytest.approx(share, rel=0.01)
-    springs = check_design(solve(strip([WALL], {"G": 1.0})))
+    springs = check_design(solve_once(strip([WALL], {"G": 1.0})))
     assert "edge line force" not in {each.name for each in springs.checks}
 
 

@@ -10,7 +10,6 @@ import numpy as np
 import pytest
 from shapely import Point, box
 
-from groundslab.analysis.driver import solve
 from groundslab.design.aci318.checks import links as aci318_links
 from groundslab.design.aci318.checks.two_way_demand import two_way
 from groundslab.design.checks import check_design
@@ -25,6 +24,7 @@ from groundslab.model.model import Model
 from groundslab.results.fields import LAYERS
 from groundslab.results.results import Results
 from helpers import synthetic
+from helpers.solve_once import solve_once
 from helpers.synthetic import LENGTH_X, LENGTH_Y
 
 #: Axes of the bars, so that d = 0.5 - 0.058 m.
@@ -103,7 +103,7 @@ def assert_rules_of_en1992(results: Results, layout: LinkLayout) -> None:
 
 def test_inner_column_by_en1992() -> None:
     """All rules of an inner column, recomputed; the governing A_sw is no less than that of the check."""
-    results = solve(raft(1500e3))
+    results = solve_once(raft(1500e3))
     layouts = punching_links(results)
     assert [layout.name for layout in layouts] == ["A", "B"]
     for layout in layouts:
@@ -121,7 +121,7 @@ def test_inner_column_by_en1992() -> None:
 
 def test_column_at_an_edge_by_en1992() -> None:
     """The perimeters end at the edge, 0.1 m from the column; legs keep off it, and are enough without those beyond."""
-    results = solve(raft(800e3, x=3.7))
+    results = solve_once(raft(800e3, x=3.7))
     layouts = punching_links(results)
     assert layouts
     for layout in layouts:
@@ -135,7 +135,7 @@ def test_column_beside_an_opening_by_en1992() -> None:
     """No leg in the opening, nor behind it as seen from the column, where the perimeter does not count."""
     x0, x1, y0, y1 = OPENING
     opening = {"kind": "rectangle", "x": (x0, x1), "y": (y0, y1)}
-    results = solve(raft(1250e3, openings=[opening]))
+    results = solve_once(raft(1250e3, openings=[opening]))
     layout = punching_links(results)[0]
     assert layout.name == "A"
     assert_rules_of_en1992(results, layout)
@@ -150,7 +150,7 @@ def test_column_beside_an_opening_by_en1992() -> None:
 
 def test_first_two_rows_carry_all_by_the_german_annex() -> None:
     """At 0.3 d and 0.8 d half of beta V_Ed,red / f_ywd,ef each, a third of both on each further row, phi <= 0.05 d."""
-    results = solve(raft(1500e3, STEEL | {"annex": "Germany"}))
+    results = solve_once(raft(1500e3, STEEL | {"annex": "Germany"}))
     layout = punching_links(results)[0]
     found = [demand for demand in demands(results).found.values() if demand.name == "A"]
     worst = max((demand.used(stress), demand, stress) for demand in found for stress in demand.around)[2]
@@ -165,7 +165,7 @@ def test_first_two_rows_carry_all_by_the_german_annex() -> None:
 
 def test_inner_column_by_aci318() -> None:
     """Half of d from the face and from each other, 2 d along, A_v / s of the check, as far as v_u exceeds phi v_c."""
-    results = solve(raft(1700e3, ACI))
+    results = solve_once(raft(1700e3, ACI))
     layout = punching_links(results)[0]
     demand = max((each for (_, name), each in two_way(results)[0].items() if name == "A"), key=lambda each: each.v_u)
     lambda_s = math.sqrt(2 / (1 + 0.004 * 442))
@@ -198,7 +198,7 @@ def test_reason_is_given_where_no_links_are_laid(
     steel: dict[str, Any], force: float, changes: dict[str, Any], why: str
 ) -> None:
     """In the layout and in the table: links that do not help, or that cannot be laid."""
-    results = solve(raft(force, steel, **changes))
+    results = solve_once(raft(force, steel, **changes))
     layouts = punching_links(results)
     assert why in layouts[0].why
     table = next(table for table in tables_of(results) if table.name == "shear_reinforcement")
@@ -208,7 +208,7 @@ def test_reason_is_given_where_no_links_are_laid(
 
 def test_nothing_is_said_where_concrete_alone_resists() -> None:
     """No layout and no table; none without reinforcement either."""
-    results = solve(raft(600e3))
+    results = solve_once(raft(600e3))
     assert punching_links(results) == ()
     assert "shear_reinforcement" not in {table.name for table in tables_of(results)}
     without = replace(results, model=results.model.model_copy(update={"reinforcement": None}))
@@ -217,7 +217,7 @@ def test_nothing_is_said_where_concrete_alone_resists() -> None:
 
 def test_tables_have_legs_and_mass_of_links() -> None:
     """Perimeter by perimeter with a total, and a row for each column in the quantities of bars."""
-    results = solve(raft(1500e3))
+    results = solve_once(raft(1500e3))
     layouts = punching_links(results)
     tables = {table.name: table for table in tables_of(results)}
     links, bars = tables["shear_reinforcement"], tables["bars"]
@@ -268,7 +268,7 @@ def test_links_over_a_pile() -> None:
         ground={"kind": "winkler", "k": 2e6},
         supports=[{"kind": "point", "name": "P", "x": 0.0, "y": 0.0, "stiffness": 200e6, "diameter": 0.4}],
     )
-    results = solve(model)
+    results = solve_once(model)
     (layout,) = punching_links(results)
     assert (layout.support, layout.name) == ("pile", "P")
     for perimeter in layout.perimeters:
@@ -279,15 +279,15 @@ def test_links_over_a_pile() -> None:
 def test_links_that_would_never_end_are_refused(monkeypatch: pytest.MonkeyPatch) -> None:
     """Where perimeters do not grow outwards, or no section beyond stirrups resists, no row after row is laid."""
     monkeypatch.setattr(aci318_links, "MOST_ROWS", 1)
-    assert "would go on beyond" in punching_links(solve(raft(1700e3, ACI)))[0].why
+    assert "would go on beyond" in punching_links(solve_once(raft(1700e3, ACI)))[0].why
     monkeypatch.setattr(en1992_links, "FARTHEST", 0.5)
-    assert "would go on beyond" in punching_links(solve(raft(1500e3)))[0].why
+    assert "would go on beyond" in punching_links(solve_once(raft(1500e3)))[0].why
 
 
 def test_no_links_are_told_that_cannot_be_built(monkeypatch: pytest.MonkeyPatch) -> None:
     """Where links would end nowhere, neither the check nor its calculation has their area, number or distance."""
     monkeypatch.setattr(punching_demand, "FARTHEST", 0.5)
-    results = solve(raft(1510e3))
+    results = solve_once(raft(1510e3))
     (check,) = [each for each in check_design(results).checks if each.name == "punching within 2 d"]
     assert check.status == "attention"
     assert check.words.endswith("; links would go on beyond 10 d from the face, as perimeters hardly grow outwards")
@@ -303,8 +303,8 @@ def symbols(results: Results) -> set[Any]:
 
 def test_no_links_are_told_that_do_not_suffice() -> None:
     """Above 1.5 v_Rd,c the calculation ends with that; below it has area, number and distance."""
-    assert {"A_sw", "n_L", "a_out"} <= symbols(solve(raft(1500e3)))
-    assert not {"A_sw", "n_L", "a_out"} & symbols(solve(raft(4000e3)))
+    assert {"A_sw", "n_L", "a_out"} <= symbols(solve_once(raft(1500e3)))
+    assert not {"A_sw", "n_L", "a_out"} & symbols(solve_once(raft(4000e3)))
 
 
 def test_column_at_a_corner_by_en1992() -> None:
@@ -313,7 +313,7 @@ def test_column_at_a_corner_by_en1992() -> None:
         columns=[{"name": "A", "x": 3.7, "y": 2.2, "width_x": 0.4, "width_y": 0.4}],
         loads=[{"kind": "point", "P": 360e3, "column": "A", "case": "G"}],
     )
-    results = solve(model)
+    results = solve_once(model)
     (layout,) = punching_links(results)
     assert_rules_of_en1992(results, layout)
     for perimeter in layout.perimeters:
