@@ -602,6 +602,6 @@ def rich_models(draw: st.DrawFn, whole: bool = False) -> Model:
         cases=cases,
         loads=loads,
         mesh=mesh,
-        analysis=draw(analyses()) if whole else draw(analyses()).replace(max_iterations=400),
+        analysis=draw(analyses()) if whole else draw(analyses()).replace(max_iterations=400, solver="auto"),
         **extra,
     )

@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
+from scipy import sparse
 from scipy.optimize import linprog
 
 from groundslab.analysis.driver import solve, solve_combinations
@@ -71,7 +72,7 @@ def room(problem: Problem) -> float:
     m, n = two_sided.shape[1], one_sided.shape[1]
     share = np.minimum(capacity, 1 / max(n, 1))
     A = np.hstack([two_sided, one_sided, (one_sided @ share)[:, None]])
-    above = np.hstack([np.zeros((n, m)), np.eye(n), 2 * share[:, None]])
+    above = sparse.hstack([sparse.csr_array((n, m)), sparse.eye_array(n), sparse.csr_array(2 * share[:, None])])
     bounds = [(None, None)] * m + [(0, None)] * n + [(None, 1.0)]
     found = linprog(np.append(np.zeros(m + n), -1.0), A_eq=A, b_eq=wanted, A_ub=above if n else None,
                     b_ub=capacity if n else None, bounds=bounds, method="highs")  # fmt: skip
