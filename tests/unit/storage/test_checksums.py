@@ -184,10 +184,11 @@ class TestSingleFiles:
 
 
 @pytest.mark.slow
-def test_the_evaluation_of_a_study(tmp_path: Path) -> None:
+def test_the_evaluation_of_a_study(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """A table of an evaluation that was edited is kept beside the evaluation; the study can be read as before."""
     from helpers import studies
 
+    monkeypatch.setattr("groundslab.study.report.figures.to_inline_svg", lambda *_, **__: "")
     study = groundslab.study(studies.write(tmp_path), out=tmp_path / "rows", workers=0, quiet=True)
     writer.evaluate(study)
     writer.evaluate(study)

@@ -25,6 +25,12 @@ pytestmark = pytest.mark.slow
 MODEL = casefile.loads(CASE)
 
 
+@pytest.fixture
+def without_evaluation(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let the command evaluate nothing, where only the rows are judged."""
+    monkeypatch.setattr("groundslab.study.evaluate", lambda study: (study.folder,))
+
+
 class TestStore:
     """Nothing that is done is lost, doubled or done again."""
 
@@ -136,6 +142,7 @@ class TestStore:
         assert after.loc[before.index].equals(before)
         assert after.drop(columns="seconds").equals(whole.drop(columns="seconds"))
 
+    @pytest.mark.usefixtures("without_evaluation")
     @pytest.mark.skipif(sys.platform != "linux", reason="limits of this kind are those of Linux")
     def test_system_refuses_to_write(self, tmp_path: Path) -> None:
         """Where the system lets no file grow the command ends with code 1 and says how to go on, which then works."""
@@ -195,6 +202,7 @@ class TestStore:
         with pytest.raises(InputError, match="a name that is taken"):
             run(tmp_path)
 
+    @pytest.mark.usefixtures("without_evaluation")
     def test_failed_worker_makes_no_row(self, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
         """What goes wrong with the machine leaves no row; the study goes on, says so, and resume tries again."""
         row = variant.Worker.row

@@ -74,6 +74,12 @@ def study(tmp_path_factory: pytest.TempPathFactory) -> Study:
     return run(tmp_path_factory.mktemp("drawn"), "monte carlo", 50, [Q, K])
 
 
+@pytest.fixture
+def short_page(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let pages have no pictures, where only their files are judged."""
+    monkeypatch.setattr("groundslab.study.report.figures.to_inline_svg", lambda *_, **__: "")
+
+
 def test_monte_carlo_of_an_even_load(study: Study) -> None:
     """Each row is q / k; the probability's interval holds the exact one; page and tables stand in the folder."""
     sample = read_samples(study)
@@ -105,6 +111,7 @@ def test_maps_are_the_rows(study: Study) -> None:
     assert not study.map("settlement", "probability of uplift").values.any()
 
 
+@pytest.mark.usefixtures("short_page")
 def test_evaluating_again_replaces_the_old_evaluation(tmp_path: Path) -> None:
     """An evaluation takes the place of the one before, with nothing left of it and nothing left beside it."""
     study = run(tmp_path, "latin hypercube", 4, [Q, K])
@@ -116,6 +123,7 @@ def test_evaluating_again_replaces_the_old_evaluation(tmp_path: Path) -> None:
     assert not [each for each in study.folder.iterdir() if each.name.startswith(".")]
 
 
+@pytest.mark.usefixtures("short_page")
 @pytest.mark.parametrize("name", ["notes.txt", "variants-mine.csv", "statistics.csv", "folder"])
 def test_evaluations_hold_nothing_of_the_users(study: Study, name: str) -> None:
     """What the user has put among the tables, or in the place of one, is named, and all stays as it is."""
@@ -139,6 +147,7 @@ def test_evaluations_hold_nothing_of_the_users(study: Study, name: str) -> None:
             foreign.write_bytes(before)
 
 
+@pytest.mark.usefixtures("short_page")
 @pytest.mark.parametrize("failing", ["fsync", "second rename"])
 def test_an_evaluation_that_fails_leaves_the_earlier_one(
     study: Study, monkeypatch: pytest.MonkeyPatch, failing: str
@@ -157,14 +166,15 @@ def test_an_evaluation_that_fails_leaves_the_earlier_one(
             raise OSError(28, "No space left on device")
         rename(*arguments, **options)
 
-    monkeypatch.setattr(os, *("fsync", full) if failing == "fsync" else ("rename", once))
-    with pytest.raises(InputError, match="No space left"):
-        evaluate(study)
-    monkeypatch.undo()
+    with monkeypatch.context() as patch:
+        patch.setattr(os, *("fsync", full) if failing == "fsync" else ("rename", once))
+        with pytest.raises(InputError, match="No space left"):
+            evaluate(study)
     assert {path.name: path.read_bytes() for path in (study.folder / "evaluation").iterdir()} == before
     assert not [each for each in study.folder.iterdir() if each.name.startswith(".")]
 
 
+@pytest.mark.usefixtures("short_page")
 def test_an_evaluation_that_a_crash_left_aside_comes_back(study: Study) -> None:
     """Between the two renames the old evaluation lies aside, whole; the next one begins from it."""
     folder = evaluate(study)[0].parent

@@ -12,13 +12,12 @@ from groundslab.analysis import driver
 from groundslab.case import casefile
 from groundslab.cli import main
 from groundslab.errors import GroundslabError, IllConditioned, NotConverged
-from groundslab.model.combinations import list_combinations
-from groundslab.model.model import Model
 from groundslab.results.results import Results
 from groundslab.views.files import results_folder
 from groundslab.views.interface import documents, shapes
 from groundslab.views.summary import json_summary
 from helpers import small_case, synthetic
+from helpers.combinations import few
 from helpers.paths import DOCS, EXAMPLES
 from helpers.studies import write
 
@@ -213,12 +212,6 @@ def test_one_version_and_every_shape_has_words() -> None:
     for name in shapes.DOCUMENTS:
         schema = shapes.json_schema(name)
         assert all(part.get("description") for part in [schema, *schema["$defs"].values()] if "properties" in part)
-
-
-def few(model: Model) -> Model:
-    """Return a model with the first combination of each limit state, where no loads move."""
-    first = {each.limit_state: each for each in reversed(list_combinations(model))}
-    return model.replace(combinations=tuple(first.values()), combine=None) if model.cases and not model.moves else model
 
 
 @pytest.mark.slow

@@ -30,7 +30,7 @@ nu = 0.2
 kind = "continuum"
 half_space = {E = "20 MPa", nu = 0.3}
 [mesh]
-size = "0.5 m"
+size = "1 m"
 [[loads]]
 kind = "uniform"
 q = "50 kPa"
