@@ -62,7 +62,7 @@ def random_plates(seed: int) -> tuple[dict[str, Any], dict[str, Any], dict[str, 
         "ground": ground,
         "beyond": {"kind": "infinite"},
         "loads": loads,
-        "mesh": {"size": 0.5},
+        "mesh": {"size": 0.8},
     }
     return plates[0], plates[1], parts
 

@@ -14,6 +14,7 @@ from groundslab.analysis.driver import solve_combinations
 from groundslab.design.by_plate import results_by_plate
 from groundslab.design.result_tables import tables_of
 from groundslab.results.results import CombinationResult, Results, results_of
+from helpers.solve_once import solve_once
 
 SOIL = [{"thickness": 3.0, "E": 20e6, "nu": 0.3}, {"thickness": 4.0, "E": 50e6, "nu": 0.25}]
 WEIGHT = {"kind": "self weight", "unit_weight": 25e3}
@@ -94,7 +95,7 @@ def joined(joint: dict[str, Any], loads: list[dict[str, Any]], **parts: Any) -> 
         "loads": loads,
         "mesh": {"size": 0.125},
     }
-    return solve(Model.model_validate(usual | parts)).only
+    return solve_once(Model.model_validate(usual | parts)).only
 
 
 def across(results: CombinationResult, y: float = 0.5) -> tuple[float, float]:
