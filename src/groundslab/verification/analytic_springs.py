@@ -13,8 +13,12 @@ from __future__ import annotations
 import cmath
 import math
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
+
+#: Contact radii of so many plates are kept.
+KEPT = 32
 
 
 @dataclass(frozen=True, slots=True)
@@ -91,6 +95,7 @@ def lifting_circular_plate(
     return {"settlement": w, "moment": moment, "contact radius": c}
 
 
+@lru_cache(KEPT)
 def contact_radius(plate: OnSprings, radius: float, b: float, P: float) -> float:
     """Return the radius [m] of the contact disc of `lifting_circular_plate`."""
     from scipy.optimize import brentq
