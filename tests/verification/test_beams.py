@@ -346,7 +346,7 @@ def test_told_errors_of_beams_cover_true_ones(element: str) -> None:
             )
         ).only
 
-    coarse, fine = rib(0.5), rib(0.0625)
+    coarse, fine = rib(0.5), rib(0.125)
     assert coarse.coarser is not None
     assert coarse.comparison is not None
     for figure in (np.max, np.min):

@@ -61,9 +61,10 @@ def near(results: CombinationResult, x: float, y: float, reach: float) -> np.nda
 @pytest.mark.slow
 def test_errors_are_within_the_accuracy_at_few_unknowns() -> None:
     """Moments and shear forces within 3 % of those of much smaller elements; as few are needed as judged."""
-    found = solve(slab({"accuracy": 0.03})).only
+    results = solve(slab({"accuracy": 0.03}))
+    found = results.only
     assert judge(found)[0].share <= 0.03
-    assert coarse_words(solve(slab({"accuracy": 0.03}))) == ""
+    assert coarse_words(results) == ""
     parts = [
         {"shape": {"kind": "circle", "centre": (load["x"], load["y"]), "radius": 0.3}, "size": 0.025} for load in LEGS
     ]
@@ -239,12 +240,27 @@ LIFTING: dict[str, Any] = {
 }
 
 
-@pytest.mark.slow
-def test_several_combinations_are_shown_on_a_coarse_mesh_first() -> None:
-    """All of them, without errors, which say so; values are near the last ones. One alone needs no such mesh."""
+@dataclasses.dataclass
+class Watched:
+    """Results, with those on the meshes before, and the steps on the way."""
+
+    results: Results
+    shown: list[Results]
+    steps: list[Step]
+
+
+@pytest.fixture(scope="module")
+def lifting() -> Watched:
+    """Return the slab whose corners lift off, solved for an accuracy of 5 %."""
     shown: list[Results] = []
-    found = solve(slab({"accuracy": 0.05}, **LIFTING), on_mesh=shown.append)
-    draft = shown[0]
+    steps: list[Step] = []
+    return Watched(solve(slab({"accuracy": 0.05}, **LIFTING), steps.append, on_mesh=shown.append), shown, steps)
+
+
+@pytest.mark.slow
+def test_several_combinations_are_shown_on_a_coarse_mesh_first(lifting: Watched) -> None:
+    """All of them, without errors, which say so; values are near the last ones. One alone needs no such mesh."""
+    found, draft = lifting.results, lifting.shown[0]
     assert [*draft] == [*found] == ["a", "b", "c"]
     assert draft.provisional
     assert coarse_words(draft).endswith(" is still to be refined; its errors come then.")
@@ -255,27 +271,22 @@ def test_several_combinations_are_shown_on_a_coarse_mesh_first() -> None:
         assert history.unknowns[0] == own.unknowns < history.unknowns[1]
         assert own.plate.settlement.max() == pytest.approx(found[name].plate.settlement.max(), rel=0.02)
         assert own.plate.moment_x.max() == pytest.approx(found[name].plate.moment_x.max(), rel=0.2)
-    shown.clear()
+    shown: list[Results] = []
     solve(slab({"accuracy": 0.02}, loads=LEGS[:1]), on_mesh=shown.append)
     assert shown
     assert all(each.comparison for results in shown for each in results.values())
 
 
 @pytest.mark.slow
-def test_a_large_draft_is_made_coarser_once_more(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_large_draft_is_made_coarser_once_more(lifting: Watched, monkeypatch: pytest.MonkeyPatch) -> None:
     """It has fewer unknowns, and everything ends on the same mesh with the same values."""
-    drafts: list[Results] = []
-    ends: list[Results] = []
-    for most in (mesh_hierarchy.LARGE_DRAFT, 0):
-        monkeypatch.setattr(mesh_hierarchy, "LARGE_DRAFT", most)
-        shown: list[Results] = []
-        ends.append(solve(slab({"accuracy": 0.05}, **LIFTING), on_mesh=shown.append))
-        drafts.append(shown[0])
-    usual, coarse = (each["a"].unknowns for each in drafts)
-    assert coarse < usual / 2
-    for name, found in ends[1].items():
-        one, other = found.plate.settlement, ends[0][name].plate.settlement
-        assert found.unknowns == ends[0][name].unknowns
+    monkeypatch.setattr(mesh_hierarchy, "LARGE_DRAFT", 0)
+    shown: list[Results] = []
+    results = solve(slab({"accuracy": 0.05}, **LIFTING), on_mesh=shown.append)
+    assert shown[0]["a"].unknowns < lifting.shown[0]["a"].unknowns / 2
+    for name, found in results.items():
+        one, other = found.plate.settlement, lifting.results[name].plate.settlement
+        assert found.unknowns == lifting.results[name].unknowns
         np.testing.assert_allclose(one, other, atol=1e-6 * np.abs(other).max())
 
 
@@ -291,19 +302,18 @@ def test_contact_starts_from_the_mesh_before() -> None:
 
 
 @pytest.mark.slow
-def test_what_is_unlike_all_before_starts_from_few_elements(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_what_is_unlike_all_before_starts_from_few_elements(lifting: Watched, monkeypatch: pytest.MonkeyPatch) -> None:
     """A zone that takes many steps from the plate lying everywhere takes few more than are tried; it is the same."""
     few = nested.FEW_STEPS
-    found: list[Results] = []
-    most: list[int] = []
-    for tried in (few, 1000):
-        monkeypatch.setattr(nested, "FEW_STEPS", tried)
-        steps: list[Step] = []
-        found.append(solve(slab({"accuracy": 0.05}, **LIFTING), on_step=steps.append))
-        most.append(max(step.iteration for step in steps if step.unknowns == steps[0].unknowns))
+    monkeypatch.setattr(nested, "FEW_STEPS", 1000)
+    tried: list[Step] = []
+    many = solve(slab({"accuracy": 0.05}, **LIFTING), on_step=tried.append)
+    most = [
+        max(step.iteration for step in steps if step.unknowns == steps[0].unknowns) for steps in (lifting.steps, tried)
+    ]
     assert most[0] <= few < most[1]
-    for name, results in found[0].items():
-        other = found[1][name].plate
+    for name, results in lifting.results.items():
+        other = many[name].plate
         assert (results.plate.in_contact == other.in_contact).all()
         np.testing.assert_allclose(results.plate.settlement, other.settlement, atol=1e-9 * other.settlement.max())
 
