@@ -54,6 +54,9 @@ def test_folders_stay_small() -> None:
 def test_functions_stay_short() -> None:
     """No function of the package has over 60 lines; a file holds one idea, of whatever length."""
     for path in PACKAGE.rglob("*.py"):
-        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        left: list[ast.AST] = [ast.parse(path.read_text(encoding="utf-8"))]
+        while left:
+            node = left.pop()
             if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef):
                 assert (node.end_lineno or 0) - node.lineno < 60, (path, node.name)
+            left += [child for child in ast.iter_child_nodes(node) if not isinstance(child, ast.expr)]

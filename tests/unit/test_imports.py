@@ -69,7 +69,7 @@ def at_once(module: str) -> set[str]:
             found |= {alias.name.split(".")[0] for alias in node.names}
         elif isinstance(node, ast.ImportFrom):
             found.add((node.module or "").split(".")[0])
-        left += list(ast.iter_child_nodes(node))
+        left += [child for child in ast.iter_child_nodes(node) if not isinstance(child, ast.expr)]
     return found
 
 

@@ -198,11 +198,14 @@ class Catalogue:
         return None if found is None else text.replace(bare, found, 1)
 
     def _fitting(self, bare: str) -> list[Fit]:
-        """Return the templates that a text fits with what fills them, those with most letters of their own first."""
-        words = {"", *_WORDS.findall(bare)}
+        """Return the templates that a text fits with what fills them, those with most letters of their own first.
+
+        Of as many letters that with the longest word comes first, so that the order is the same in every process.
+        """
+        words = dict.fromkeys(["", *_WORDS.findall(bare)])
         candidates = (each for word in words for each in self.templates.get(word, ()))
         fits = [(each, fillings) for each in candidates if (fillings := each.fillings(bare)) is not None]
-        return sorted(fits, key=lambda fit: -fit[0].letters)
+        return sorted(fits, key=lambda fit: (-fit[0].letters, -len(fit[0].word)))
 
     def _by(self, fits: Iterable[Fit], depth: int) -> str | None:
         """Return what the first template says all of whose fillings are known; None if there is none."""

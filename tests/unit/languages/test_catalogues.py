@@ -143,6 +143,14 @@ def test_decimal_commas(text: str, expected: str) -> None:
     assert with_commas(text) == expected
 
 
+def test_of_templates_that_say_as_much_one_is_taken_always() -> None:
+    """That with the longest word, whatever the hashes of words are in a process."""
+    text = (
+        'v_u 11.5 kip/ft at (0, 5.5) ft in "ULS" is 0.877 times phi v_c 13.1 kip/ft with the bars provided (22.5.5.1)'
+    )
+    assert "mit der vorhandenen Bewehrung" in translator("de", ["ULS"])(text)
+
+
 def test_names_of_files_stay() -> None:
     """A table's file is where it is, though the table's name has a translation."""
     translate = catalogue(("tables/{}.csv", "tables/{}.csv"), ("columns", "Stützen"))
