@@ -114,11 +114,22 @@ export function allow(control: HTMLButtonElement | HTMLInputElement | HTMLSelect
   control.title = why ? shown(why) : usual;
 }
 
-/** Fill a list with options (value, text); the chosen one stays chosen if it is still there. */
-export function fillOptions(select: HTMLSelectElement, options: readonly (readonly [string, Text])[]): void {
+type Option = readonly [value: string, text: Text];
+const writtenOptions = new WeakMap<Element, string>();
+
+/** Fill a list with options unless it has them already: the browser would read and lay out the page anew. */
+export function setOptions(list: Element, options: readonly Option[]): void {
+  const written = JSON.stringify(options.map(([value, text]) => [value, shown(text)]));
+  if (writtenOptions.get(list) === written) return;
+  writtenOptions.set(list, written);
+  fill(list, ...options.map(([value, text]) => h("option", { value }, text)));
+}
+
+/** Fill a list with options; the chosen one stays chosen if it is still there. */
+export function fillOptions(select: HTMLSelectElement, options: readonly Option[]): void {
   const before = select.value;
-  fill(select, ...options.map(([value, text]) => h("option", { value }, text)));
-  if (options.some(([value]) => value === before)) select.value = before;
+  setOptions(select, options);
+  if (select.value !== before && options.some(([value]) => value === before)) select.value = before;
 }
 
 /** Mark one of several buttons as pressed. */

@@ -1,5 +1,5 @@
 // The choice between the kinds of a table.
-import { fill, h, newId, setText, verbatim } from "../../viewer/shared/dom";
+import { h, newId, setOptions, setText, verbatim } from "../../viewer/shared/dom";
 import { switchGround } from "../model/changes/ground";
 import { switchKind } from "../model/changes/variants";
 
@@ -40,9 +40,9 @@ export function kindChoice(
   const update = () => {
     const table = tableAt(ctx.data(), path);
     const chosen = ctx.schema.chooseKind(names, table);
-    const unknown = h("option", { value: "" }, typeof table.kind === "string" ? verbatim(table.kind) : "choose …");
-    const options = parts.map((part) => h("option", { value: part.name }, kindText(part)));
-    fill(select, chosen ? null : unknown, ...options);
+    const unknown = ["", typeof table.kind === "string" ? verbatim(table.kind) : "choose …"] as const;
+    const options = parts.map((part) => [part.name, kindText(part)] as const);
+    setOptions(select, chosen ? options : [unknown, ...options]);
     select.value = chosen?.name ?? "";
     setText(hint, chosen ? kindHint(chosen) : "");
   };

@@ -1,6 +1,6 @@
 // Elements that edit one value of the case file, by what the value is.
 
-import { fill, h, newId, setRead, verbatim } from "../../../viewer/shared/dom";
+import { h, newId, setOptions, setRead, verbatim } from "../../../viewer/shared/dom";
 import { translate } from "../../../viewer/shared/language";
 import { symbolText } from "../../../viewer/shared/symbols";
 import { debounce } from "../../client/debounce";
@@ -83,7 +83,11 @@ export function textInput(ctx: FormContext, path: Path, node: Node, options: Tex
   const known = isNamed ? h("datalist", { id: newId("names") }) : null;
   if (known) input.setAttribute("list", known.id);
   const update = () => {
-    if (known) fill(known, ...names().map((name) => h("option", { value: name })));
+    if (known)
+      setOptions(
+        known,
+        names().map((name) => [name, ""]),
+      );
     input.placeholder = options.placeholder?.() ?? "";
     const value = valueAt(ctx.data(), path);
     if (typed || (document.activeElement === input && parseInput(node, input.value, unit) === value)) return;
@@ -95,14 +99,12 @@ export function textInput(ctx: FormContext, path: Path, node: Node, options: Tex
 /** A choice of one option; the default is shown faintly where nothing is chosen. */
 function choiceInput(ctx: FormContext, path: Path, words: readonly string[], standard: Json | undefined): Input {
   const select = h("select", {});
+  const optionOf = (word: string) => [word, word === "" ? "choose …" : verbatim(word)] as const;
   const update = () => {
     const value = valueAt(ctx.data(), path);
     const chosen = inputText(value ?? standard);
-    const odd = words.includes(chosen)
-      ? []
-      : [h("option", { value: chosen }, chosen === "" ? "choose …" : verbatim(chosen))];
-    fill(select, ...odd, ...words.map((word) => h("option", { value: word }, verbatim(word))));
-    select.value = chosen;
+    setOptions(select, (words.includes(chosen) ? words : [chosen, ...words]).map(optionOf));
+    if (select.value !== chosen) select.value = chosen;
     select.classList.toggle("by-default", value === undefined);
     setRead(select, "title", value === undefined && standard !== undefined ? "default" : "");
   };
