@@ -4,13 +4,17 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
+from urllib.parse import urlsplit
 
 import pytest
 
 from helpers.browsing import ARGUMENTS, PATIENCE, SMALL, Bench, Server, SharedServer, chromium, missing
 from helpers.firefox import missing_firefox
+
+SCREEN = {"width": 1366, "height": 768}
 
 
 def pytest_terminal_summary(terminalreporter: Any) -> None:
@@ -58,20 +62,72 @@ def case(tmp_path: Path) -> Path:
     return path
 
 
+@dataclass
+class KeptTab:
+    """A tab for one test after the other: a new one takes longer than many tests; ``bench`` is of the one that runs."""
+
+    page: Any
+    bench: Bench | None = None
+
+    def begin(self) -> Bench:
+        """Return the tab, whose errors the present test collects."""
+        self.page.set_viewport_size(SCREEN)
+        self.bench = Bench(self.page)
+        return self.bench
+
+    def end(self) -> None:
+        """Leave the page, close all others, and forget what was stored."""
+        for page in self.page.context.pages:
+            if page != self.page:
+                page.close()
+        address = urlsplit(self.page.url)
+        self.page.goto("about:blank")
+        self.page.mouse.move(0, 0)
+        if address.scheme == "http":
+            session = self.page.context.new_cdp_session(self.page)
+            origin = f"http://{address.netloc}"
+            session.send("Storage.clearDataForOrigin", {"origin": origin, "storageTypes": "all"})
+            session.detach()
+
+    def listen(self) -> None:
+        """Tell the present test of errors of the page."""
+        self.page.on("pageerror", lambda error: self._add(str(error)))
+        self.page.on("console", lambda line: self._add(line.text) if _is_error(line) else None)
+
+    def _add(self, error: str) -> None:
+        if self.bench is not None:
+            self.bench.errors.append(error)
+
+
+def _new_context(browser: Any) -> Any:
+    """Return a new context, in which the tour was taken."""
+    context = browser.new_context(viewport=SCREEN, accept_downloads=True)
+    context.set_default_timeout(PATIENCE)
+    context.add_init_script("try { localStorage.setItem('groundslab-tour', 'taken'); } catch {}")
+    return context
+
+
+@pytest.fixture(scope="session")
+def kept_tab(browser: Any) -> Iterator[KeptTab]:
+    """The tab of all tests that need but one, and no scripts of their own in it."""
+    context = _new_context(browser)
+    tab = KeptTab(context.new_page())
+    tab.listen()
+    yield tab
+    context.close()
+
+
 @pytest.fixture
 def tabs(browser: Any) -> Iterator[Any]:
     """Return what opens a new tab; errors on the page fail the test in the end."""
-    context = browser.new_context(viewport={"width": 1366, "height": 768}, accept_downloads=True)
-    context.set_default_timeout(PATIENCE)
-    context.add_init_script("try { localStorage.setItem('groundslab-tour', 'taken'); } catch {}")
+    context = _new_context(browser)
     benches: list[Bench] = []
 
     def open_tab() -> Bench:
-        bench = Bench(context.new_page())
-        bench.page.on("pageerror", lambda error: bench.errors.append(str(error)))
-        bench.page.on("console", lambda line: bench.errors.append(line.text) if _is_error(line) else None)
-        benches.append(bench)
-        return bench
+        tab = KeptTab(context.new_page())
+        tab.listen()
+        benches.append(tab.begin())
+        return benches[-1]
 
     yield open_tab
     errors = [error for bench in benches for error in bench.errors]
@@ -85,7 +141,17 @@ def _is_error(line: Any) -> bool:
 
 
 @pytest.fixture
-def bench(tabs: Any) -> Bench:
-    """One tab."""
+def bench(kept_tab: KeptTab) -> Iterator[Bench]:
+    """One tab, as if it were new; errors on the page fail the test in the end."""
+    bench = kept_tab.begin()
+    yield bench
+    errors = [*bench.errors]
+    kept_tab.end()
+    assert errors == []
+
+
+@pytest.fixture
+def own_bench(tabs: Any) -> Bench:
+    """A tab of the test's own, in which it may run scripts before those of the page."""
     opened: Bench = tabs()
     return opened

@@ -33,17 +33,24 @@ WHOLE_ROWS = """() => {
 #: Words that are cut: of an element that hides what is beyond it, of lists of choices; a title says all of them.
 CUT = """() => {
   const cut = [];
+  const isHidden = (each) =>
+    !each.checkVisibility({ visibilityProperty: true }) || each.closest("svg, .unseen, .code, dialog");
+  const choices = [...document.querySelectorAll("select")].filter((each) => !isHidden(each));
+  const copies = choices.map((each) => {
+    const copy = each.cloneNode(false);
+    copy.append(each.selectedOptions[0]?.cloneNode(true) ?? "");
+    for (const [name, value] of Object.entries({ position: "absolute", width: "max-content", "min-width": "0",
+      "max-width": "none" })) copy.style.setProperty(name, value, "important");
+    return copy;
+  });
+  // all at once, so that the page is laid out once
+  choices.forEach((each, n) => each.after(copies[n]));
+  choices.forEach((each, n) => {
+    if (copies[n].offsetWidth > each.offsetWidth + 1) cut.push(`select: ${copies[n].textContent}`);
+  });
+  for (const copy of copies) copy.remove();
   for (const each of document.querySelectorAll("body *:not(option)")) {
-    if (!each.checkVisibility({ visibilityProperty: true }) || each.closest("svg, .unseen, .code, dialog")) continue;
-    if (each.localName === "select") {
-      const copy = each.cloneNode(false);
-      copy.append(each.selectedOptions[0]?.cloneNode(true) ?? "");
-      for (const [name, value] of Object.entries({ position: "absolute", width: "max-content", "min-width": "0",
-        "max-width": "none" })) copy.style.setProperty(name, value, "important");
-      each.after(copy);
-      if (copy.offsetWidth > each.offsetWidth + 1) cut.push(`select: ${copy.textContent}`);
-      copy.remove();
-    }
+    if (isHidden(each)) continue;
     const range = document.createRange();
     for (const node of each.childNodes) {
       if (node.nodeType !== Node.TEXT_NODE || !node.data.trim()) continue;
@@ -121,22 +128,34 @@ DIALOG = """(dialog) => {
 
 @pytest.fixture
 def pad(tmp_path: Path) -> Path:
-    """The example of a pad with bars and limits, on a coarse mesh."""
-    path = tmp_path / "pad.toml"
+    """The case file of the pad."""
+    return write_pad(tmp_path)
+
+
+def write_pad(folder: Path) -> Path:
+    """Write the example of a pad with bars and limits, on a coarse mesh."""
+    path = folder / "pad.toml"
     text = (ROOT / "examples" / "pad.toml").read_text(encoding="utf-8")
     path.write_text(text.replace('size = "0.1 m"', 'size = "0.5 m"'), encoding="utf-8")
     return path
 
 
-def open_pad(server: Server, bench: Bench, pad: Path, *sizes: tuple[int, int], language: str = "en") -> Iterator[None]:
-    """Open the pad in a language in one window after the other, each time with its checks, one needing attention."""
-    bench.page.add_init_script(f"localStorage.setItem('groundslab-language', '{language}')")
-    url = server.start(pad)
-    for size in sizes:
-        resize(bench, size)
-        bench.open(url)
-        wait_checked(bench)
-        yield
+@pytest.fixture(scope="module")
+def solved_pad(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
+    """The address of a page on the pad, which is solved once and which no test changes."""
+    folder = tmp_path_factory.mktemp("pad")
+    server = Server(folder / "state")
+    yield server.start(write_pad(folder))
+    server.stop()
+
+
+def open_pad(bench: Bench, url: str, size: tuple[int, int], language: str = "en") -> None:
+    """Open the pad in a language in a window, with its checks, one needing attention."""
+    if language != "en":
+        bench.page.add_init_script(f"localStorage.setItem('groundslab-language', '{language}')")
+    resize(bench, size)
+    bench.open(url)
+    wait_checked(bench)
 
 
 def resize(bench: Bench, size: tuple[int, int]) -> None:
@@ -151,9 +170,10 @@ def wait_checked(bench: Bench) -> None:
     bench.until(lambda: bench.seen(".cost") != "")
 
 
-def test_rows_of_checks_in_view(server: Server, bench: Bench, pad: Path) -> None:
+def test_rows_of_checks_in_view(solved_pad: str, bench: Bench) -> None:
     """The tab of checks shows twelve whole rows on a laptop, nine where the window is low."""
-    for least, _ in zip((12, 9), open_pad(server, bench, pad, LAPTOP, LOW), strict=True):
+    for least, size in ((12, LAPTOP), (9, LOW)):
+        open_pad(bench, solved_pad, size)
         bench.page.locator(".lower").get_by_role("tab", name="Checks").click()
         bench.page.locator(".result-table:visible tbody tr[data-place]").first.wait_for()
         bench.until(
@@ -163,15 +183,15 @@ def test_rows_of_checks_in_view(server: Server, bench: Bench, pad: Path) -> None
         assert picture["height"] > 150, "the picture is still seen"
 
 
-@pytest.mark.parametrize("language", ["en", "de"])
-def test_nothing_is_cut(server: Server, bench: Bench, pad: Path, language: str) -> None:
+@pytest.mark.parametrize(("language", "sizes"), [("en", (LAPTOP, LARGE)), ("de", (LAPTOP, LOW))], ids=["en", "de"])
+def test_nothing_is_cut(solved_pad: str, own_bench: Bench, language: str, sizes: tuple[tuple[int, int], ...]) -> None:
     """In every view of the model and every tab of results no words are cut, or a title has them."""
-    next(open_pad(server, bench, pad, LAPTOP, language=language))
-    for size in (LAPTOP, LOW, LARGE):
-        resize(bench, size)
-        for tab in bench.page.get_by_role("tab").all():
+    open_pad(own_bench, solved_pad, LAPTOP, language)
+    for size in sizes:
+        resize(own_bench, size)
+        for tab in own_bench.page.get_by_role("tab").all():
             tab.click()
-            bench.wait_equal(lambda: bench.page.evaluate(CUT), [])
+            own_bench.wait_equal(lambda: own_bench.page.evaluate(CUT), [])
 
 
 def test_what_is_cut_is_found(bench: Bench) -> None:
@@ -182,40 +202,40 @@ def test_what_is_cut_is_found(bench: Bench) -> None:
         <div style="height:20px;overflow:hidden"><b class="b" style="display:block;margin-top:19px">below</b></div>
         <select style="width:50px"><option>one of several choices</option></select><p>words</p>"""
     )
-    assert bench.page.evaluate(CUT) == ["a: words that are cut", "b: below", "select: one of several choices"]
+    assert bench.page.evaluate(CUT) == ["select: one of several choices", "a: words that are cut", "b: below"]
 
 
 @pytest.mark.parametrize("language", ["de", "es", "fr", "pl"])
-def test_what_solving_takes_is_told_in_full(server: Server, bench: Bench, pad: Path, language: str) -> None:
+def test_what_solving_takes_is_told_in_full(server: Server, own_bench: Bench, pad: Path, language: str) -> None:
     """Accuracy, time, unknowns and combinations are not cut in any language, nor is the name of the file."""
     text = pad.read_text(encoding="utf-8")
     pad.write_text(text[: text.index("[mesh]")] + '[mesh]\naccuracy = "draft"\n', encoding="utf-8")
-    bench.page.add_init_script(f"localStorage.setItem('groundslab-language', '{language}')")
-    resize(bench, LAPTOP)
-    bench.open(server.start(pad))
-    bench.page.locator(".solve").click()  # what it takes is known before, and no longer told while it is solved
-    bench.until(lambda: bench.seen(".cost") != "")
-    bench.wait_equal(lambda: bench.page.evaluate(CUT), [])
-    assert bench.page.locator(".file-title").evaluate("(each) => each.scrollWidth <= each.clientWidth")
-    draft = bench.page.locator(".accuracy option").first.inner_text()
+    own_bench.page.add_init_script(f"localStorage.setItem('groundslab-language', '{language}')")
+    resize(own_bench, LAPTOP)
+    own_bench.open(server.start(pad))
+    own_bench.page.locator(".solve").click()  # what it takes is known before, and no longer told while it is solved
+    own_bench.until(lambda: own_bench.seen(".cost") != "")
+    own_bench.wait_equal(lambda: own_bench.page.evaluate(CUT), [])
+    assert own_bench.page.locator(".file-title").evaluate("(each) => each.scrollWidth <= each.clientWidth")
+    draft = own_bench.page.locator(".accuracy option").first.inner_text()
     assert draft.startswith(messages(language)["Draft (15 %)"])
 
 
 @pytest.mark.parametrize(("size", "language"), [(LAPTOP, "en"), (LOW, "de")], ids=["1366x768", "1280x650"])
-def test_tabs_are_all_reached(server: Server, bench: Bench, pad: Path, size: tuple[int, int], language: str) -> None:
+def test_tabs_are_all_reached(solved_pad: str, own_bench: Bench, size: tuple[int, int], language: str) -> None:
     """By keys and by the arrows at the ends every tab comes into view, and stays; arrows say where there are more."""
-    next(open_pad(server, bench, pad, size, language=language))
+    open_pad(own_bench, solved_pad, size, language)
     for part in (".model", ".lower"):
-        bar = bench.page.locator(f"{part} > .scrolling-bar")
+        bar = own_bench.page.locator(f"{part} > .scrolling-bar")
         tabs = bar.get_by_role("tab").all()
         tabs[0].click()
         for _ in tabs:
-            bench.wait_equal(lambda bar=bar: bar.evaluate(TABS), [])
-            bench.page.keyboard.press("ArrowRight")
-    tabs = bench.page.locator(".lower .tabs")
+            own_bench.wait_equal(lambda bar=bar: bar.evaluate(TABS), [])
+            own_bench.page.keyboard.press("ArrowRight")
+    tabs = own_bench.page.locator(".lower .tabs")
     for side, sign in (("end", 1), ("start", -1)):
-        arrow = bench.page.locator(f".lower .bar-arrow.{side}")
-        bench.until(arrow.is_visible)
+        arrow = own_bench.page.locator(f".lower .bar-arrow.{side}")
+        own_bench.until(arrow.is_visible)
         at = tabs.evaluate(SETTLED)
         while arrow.is_visible():
             arrow.click()
@@ -238,9 +258,9 @@ def test_words_over_a_picture_leave_its_scales(own_server: Server, bench: Bench,
     assert bench.page.evaluate(CUT) == []
 
 
-def test_help_covers_no_field_and_little_of_the_plan(server: Server, bench: Bench, pad: Path) -> None:
+def test_help_covers_no_field_and_little_of_the_plan(solved_pad: str, bench: Bench) -> None:
     """The meaning of a field covers no field that has the focus, nor the loads on the entire slab or the properties."""
-    next(open_pad(server, bench, pad, LOW))
+    open_pad(bench, solved_pad, LOW)
     bench.click(0, 0)
     bench.wait_seen(".properties h3", "olumn C1")
     bench.page.locator(".properties input").first.focus()
@@ -262,17 +282,17 @@ IS_SEEN = """(each) => {
 }"""
 
 
-def test_dialogs_fit_and_are_dark(server: Server, bench: Bench, tmp_path: Path) -> None:
+def test_dialogs_fit_and_are_dark(server: Server, own_bench: Bench, tmp_path: Path) -> None:
     """Dialogs of files, imports, exports, keys and generators fit into the window, their buttons seen, all dark."""
     case = write_case(tmp_path)
     write_table(tmp_path, ETABS)
-    bench.page.add_init_script("localStorage.setItem('groundslab-theme', 'dark')")
-    page, url, wrong = bench.page, server.start(case, by_itself=False), {}
+    own_bench.page.add_init_script("localStorage.setItem('groundslab-theme', 'dark')")
+    page, url, wrong = own_bench.page, server.start(case, by_itself=False), {}
     for size in (LAPTOP, LOW):
-        resize(bench, size)
-        bench.open(url)
+        resize(own_bench, size)
+        own_bench.open(url)
         assert page.locator("html").get_attribute("data-theme") == "dark"
-        for name, dialog in _dialogs(bench):
+        for name, dialog in _dialogs(own_bench):
             dialog.wait_for()
             wrong[name, size] = dialog.evaluate(DIALOG)
             page.keyboard.press("Escape")

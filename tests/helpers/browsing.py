@@ -26,10 +26,17 @@ VIEW = """async (drawing) => {
   const { left, top, width, height } = drawing.getBoundingClientRect();
   return [left, top, width, height, drawing.dataset.view];
 }"""
+#: What Chromium does for its own windows and for pages to come, which takes time; what Playwright leaves out as well.
+LEFT_OUT = (
+    "PreloadTopChromeWebUI,InitialWebUI,TabSearch,ReadAnything,WebUIOmniboxPopup,Glic,SpareRendererForSitePerProcess,"
+    "OnDeviceModelService,OptimizationGuideOnDeviceModel,OptimizationGuideModelExecution,OptimizationHints,"
+    "AvoidUnnecessaryBeforeUnloadCheckSync,DestroyProfileOnBrowserClose,HttpsUpgrades,HttpsFirstBalancedModeAutoEnable,"
+    "LensOverlay,MediaRouter,PaintHolding,ThirdPartyStoragePartitioning,NetworkTimeServiceQuerying,PreconnectToSearch"
+)
 #: The page is drawn without a GPU; only pictures in three dimensions need one, which is imitated.
 ARGUMENTS = [
     "--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-gpu-compositing",
-    "--disable-gpu-rasterization",
+    "--disable-gpu-rasterization", f"--disable-features={LEFT_OUT}",
 ]  # fmt: skip
 STATIC = ROOT / "src" / "groundslab" / "workbench" / "static"
 
