@@ -89,7 +89,7 @@ def test_a_house_raft(server: Server, bench: Bench) -> None:
     hands.add_section("combine")
     hands.add_section("reinforcement")
     hands.open_section("mesh")
-    hands.fill({"size": "0.6 m"}, "mesh")
+    hands.fill({"size": "1 m"}, "mesh")
     hands.tab("Plan")
     hands.click(bench.page.locator('.tool[data-tool="borehole"]'))
     for n, place in enumerate(((2.0, 9.0), (14.0, 3.0)), start=1):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 import pytest
@@ -19,12 +20,12 @@ RUN = """async ([part, theme]) => {
 }"""
 
 
-def find_violations(page: Any, part: str = "html") -> list[str]:
+def find_violations(page: Any, part: str = "html", themes: Sequence[str] = ("light", "dark")) -> list[str]:
     """Return the violations that are moderate or worse of a page, or a part of it, in light and in dark."""
     if not page.evaluate("() => 'axe' in window"):
         page.evaluate(AXE.read_text())
     found = []
-    for theme in ("light", "dark"):
+    for theme in themes:
         page.evaluate("(theme) => { document.documentElement.dataset.theme = theme; }", theme)
         # colours that still change would be those of neither theme
         page.evaluate("() => Promise.all(document.getAnimations().map((each) => each.finished.catch(() => null)))")
