@@ -131,6 +131,7 @@ def test_bars_are_enough(steel: dict[str, Any]) -> None:
             assert min(x1 - x0, y1 - y0) >= 1.0 - 1e-9
 
 
+@pytest.mark.slow
 def test_a_proposal_is_the_same_every_time() -> None:
     """Of the same results come the same bars and zones, by the same way."""
     results = solve_once(raft(STEEL))
