@@ -55,7 +55,7 @@ def test_no_violations_from_an_empty_case_to_a_result(server: Server, bench: Ben
 
 def test_no_violations_in_lists_of_the_form(server: Server, bench: Bench, case: Path) -> None:
     """The form's loads, folded and open, have no violation: no button is inside of another one."""
-    bench.open(server.start(case))
+    bench.open(server.start(case, by_itself=False))
     bench.tab("Form")
     bench.page.locator('[data-section="loads"] > summary').click()
     items = bench.page.locator('[data-section="loads"] .item')

@@ -48,7 +48,7 @@ def test_an_axis_moves_with_its_columns(server: Server, bench: Bench, case: Path
     start, end = SMALL.index("[[columns]]"), SMALL.index("[[loads]]")
     bare = SMALL[:start] + SMALL[end:].replace('column = "A1"', 'x = "0 m"\ny = "1 m"')
     case.write_text(bare, encoding="utf-8")
-    bench.open(server.start(case))
+    bench.open(server.start(case, by_itself=False))
     _make_axes(bench, first_x="-2", first_y="-1", spacing_in_x="2x2", spacing_in_y="2")
     bench.wait_text("[[axes]]", 'distances = "2 x 2 m"', 'at = "B/2"')  # the force stood where B and 2 cross
     bench.wait_equal(lambda: bench.page.evaluate(BUBBLES), ["A", "B", "C", "1", "2"])
@@ -72,7 +72,7 @@ def test_an_axis_moves_with_its_columns(server: Server, bench: Bench, case: Path
     after = _places(bench)
     assert [(name, x + 0.5 * name.startswith("B"), y) for name, x, y in before] == after
     bench.wait_seen(".properties h3", "axes 1")
-    bench.wait_solved()
+    bench.solve()
     bench.page.locator(".drawing").press("Control+z")
     bench.until(lambda: 'distances = "2 x 2 m"' in bench.text(), bench.text)
     assert _places(bench) == before
@@ -188,7 +188,7 @@ def test_axes_are_taken_from_columns(server: Server, bench: Bench, case: Path) -
 def test_rings_edges_and_strips_are_drawn(server: Server, bench: Bench, case: Path) -> None:
     """Ctrl draws a ring load, whose sum is 2 pi r q; a click on an edge a wall, and a drag a strip."""
     case.write_text(SMALL.replace("length_x", 'name = "slab"\nlength_x'), encoding="utf-8")
-    bench.open(server.start(case))
+    bench.open(server.start(case, by_itself=False))
     bench.tool("line load")
     bench.page.keyboard.down("Control")
     bench.drag((0.5, 0), (1.5, 0))
@@ -200,7 +200,7 @@ def test_rings_edges_and_strips_are_drawn(server: Server, bench: Bench, case: Pa
     total = 200e3 + 2 * math.pi * load.q  # the force on the column, and 2 pi r q
     (solved,) = solve(model).results.values()
     assert solved.certificate.load == pytest.approx(total, rel=1e-9)
-    bench.wait_solved()
+    bench.solve()
     assert bench.largest("sum of the loads") == pytest.approx(total / 1e3, rel=1e-3)
     bench.tool("edge wall")
     bench.click(3, 0.3)

@@ -43,7 +43,7 @@ def _hold(bench: Bench, layer: str, what: str) -> None:
 
 def test_a_case_from_layers_that_are_chosen(server: Server, bench: Bench, case: Path, drawing: Path) -> None:
     """Unit and outline must be chosen; the new case is unsaved, has a report, and is solved once it is filled in."""
-    bench.open(server.start(case))
+    bench.open(server.start(case, by_itself=False))
     _open(bench, drawing.name)
     dialog = bench.page.locator(".drawing-dialog")
     bench.wait_seen(".drawing-dialog .messages", "Choose the drawing's unit")
@@ -70,7 +70,8 @@ def test_a_case_from_layers_that_are_chosen(server: Server, bench: Bench, case: 
     # what no drawing holds is as in a new case, but for the thickness
     assert (data["plate"]["E"], data["ground"]["kind"], data["loads"][0]["kind"]) == ("30 GPa", "vlasov", "self weight")
     bench.fill("300 mm", "plate", "thickness")
-    bench.wait_solved()
+    bench.wait_text('thickness = "300 mm"')
+    bench.solve()
 
 
 def test_what_is_drawn_snaps_to_a_drawing_below_the_plan(
@@ -114,7 +115,7 @@ def test_a_slab_of_a_saf_file_becomes_a_case(server: Server, bench: Bench, tmp_p
     from helpers import saf_files
 
     saf_files.write(tmp_path / "house.xlsx", saf_files.house())
-    bench.open(server.start(write_case(tmp_path)))
+    bench.open(server.start(write_case(tmp_path), by_itself=False))
     bench.page.keyboard.press("Control+o")
     bench.page.get_by_role("option", name="house.xlsx").dblclick()
     dialog = bench.page.locator(".slab-dialog")

@@ -102,7 +102,7 @@ def test_items_go_from_one_workbench_to_another(
     """Copied tables are TOML text; pasted ones get free names, and loads stand on the pasted columns."""
     other_case = tmp_path / "other.toml"
     other_case.write_text(case.read_text())
-    one, two = tabs().open(server.start(case)), tabs().open(own_server.start(other_case))
+    one, two = tabs().open(server.start(case, by_itself=False)), tabs().open(own_server.start(other_case))
     one.page.bring_to_front()
     one.drag((-2.6, 1.6), (-1.4, 0.4))
     one.wait_seen(".properties h3", "1 column, 1 load selected")
@@ -214,7 +214,7 @@ def test_plates_are_drawn_and_joined(server: Server, bench: Bench, case: Path) -
     """A further plate beside the slab is drawn and joined to it; a circle is drawn where the mesh is finer."""
     # without it nothing would press the further plate down
     case.write_text(case.read_text() + '\n[[loads]]\nkind = "uniform"\nq = "5 kPa"\n')
-    bench.open(server.start(case))
+    bench.open(server.start(case, by_itself=False))
     view = bench.page.locator(".drawing").get_attribute("data-view")
     bench.page.mouse.move(*bench.pixel(0.0, 0.0))
     bench.page.mouse.wheel(0, 600)
@@ -240,5 +240,5 @@ def test_plates_are_drawn_and_joined(server: Server, bench: Bench, case: Path) -
         "centre": ["0 m", "0 m"],
         "radius": "1 m",
     }
-    bench.wait_solved()
+    bench.solve()
     bench.wait_seen(".issue-count", "No errors")

@@ -36,7 +36,7 @@ def test_from_a_building_to_a_plan_and_a_model(
     server: Server, bench: Bench, building: Path, case: Path, tmp_path: Path
 ) -> None:
     """The chosen slab, filled in and solved, comes back from SAF and from the plan as it is in the case."""
-    bench.open(server.start(case))
+    bench.open(server.start(case, by_itself=False))
     bench.page.keyboard.press("Control+o")
     bench.page.get_by_role("option", name=building.name).dblclick()
     dialog = bench.page.locator(".slab-dialog")
@@ -55,7 +55,8 @@ def test_from_a_building_to_a_plan_and_a_model(
     bench.page.get_by_role("button", name="+ self-weight").click()
     bench.tab("Form")
     bench.page.locator("""[data-path='["ground","kind"]'] select""").select_option("Winkler")
-    bench.wait_solved()
+    bench.wait_text('kind = "winkler"')
+    bench.solve()
     model = casefile.loads(bench.text())
     assert [(column.name, column.x, column.y) for column in model.columns] == [("C1", -2, -1), ("C2", 2, -1)]
 

@@ -13,7 +13,7 @@ pytestmark = pytest.mark.slow
 
 def test_twelve_legs_are_one_step(server: Server, bench: Bench, case: Path) -> None:
     """A key opens the dialog, the plan shows the legs, one change adds them, and one undo takes them away."""
-    bench.open(server.start(case))
+    bench.open(server.start(case, by_itself=False))
     page, drawing = bench.page, bench.page.locator(".drawing")
     drawing.focus()
     drawing.press("k")
@@ -31,7 +31,7 @@ def test_twelve_legs_are_one_step(server: Server, bench: Bench, case: Path) -> N
     bench.wait_text('P = "62.5 kN"', "frames = 6", 'pattern = "rack"', 'case = "racks"')
     # what was there before has a load case of its own now
     assert bench.text().count("[[cases]]") == 2
-    bench.wait_solved()
+    bench.solve()
     drawing.press("Control+z")
     bench.until(lambda: "[[patterns]]" not in bench.text() and "[[cases]]" not in bench.text(), bench.text)
 

@@ -58,7 +58,7 @@ def _tab_to(page: Any, selector: str) -> None:
 
 def test_columns_and_loads_come_from_a_spreadsheet(server: Server, bench: Bench, case: Path) -> None:
     """A paste adds all rows by the names and units of its head, in one step of undo; the result is of all of them."""
-    bench.open(server.start(case))
+    bench.open(server.start(case, by_itself=False))
     before = bench.text()
     _open_table(bench, "columns")
     bench.page.keyboard.press("ArrowDown")
@@ -77,7 +77,7 @@ def test_columns_and_loads_come_from_a_spreadsheet(server: Server, bench: Bench,
     bench.page.evaluate(PASTE, LOADS)
     bench.until(lambda: len(_data(bench)["loads"]) == 13)
     assert _data(bench)["loads"][12] == {"kind": "point", "column": "B11", "P": "111 kN", "M_x": "11.5 kNm"}
-    bench.wait_solved()
+    bench.solve()
     bench.wait_equal(lambda: _cells(bench, "tr.selected th"), [str(n) for n in range(2, 14)])
     assert bench.page.evaluate(COPY).splitlines()[0] == "100 kN\t0.5 kNm\t\t\t\t\t\t\t\tB0"
 
@@ -90,7 +90,7 @@ def test_columns_and_loads_come_from_a_spreadsheet(server: Server, bench: Bench,
 
 def test_a_wrong_cell_is_marked_and_put_right(server: Server, bench: Bench, case: Path) -> None:
     """What cannot be a value stays in the file; its cell is marked and says why, and an issue leads to it."""
-    bench.open(server.start(case))
+    bench.open(server.start(case, by_itself=False))
     _open_table(bench, "loads point")
     bench.page.evaluate(PASTE, "column\tP\nA1\t1,500\nA9\t80\n")
     bench.wait_equal(lambda: _cells(bench, "td.faulty"), ["1,500"])
@@ -110,7 +110,7 @@ def test_a_wrong_cell_is_marked_and_put_right(server: Server, bench: Bench, case
     bench.wait_equal(lambda: _cells(bench, "td.active"), ["80 kN"])
     bench.page.keyboard.press("Control+-")
     bench.until(lambda: [each["P"] for each in _data(bench)["loads"]] == ["1500 kN"])
-    bench.wait_solved()
+    bench.solve()
 
 
 def test_rows_are_edited_with_the_keyboard_alone(server: Server, bench: Bench, case: Path) -> None:

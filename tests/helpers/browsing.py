@@ -282,6 +282,11 @@ class Bench:
         self.page.wait_for_selector('.result-status:is([data-state="fresh"], [data-state="failing"])')
         self.page.wait_for_selector('.result[aria-busy="false"] .result-full:not([hidden])')
 
+    def solve(self) -> None:
+        """Solve the present model when it is finished, where each change is not solved by itself."""
+        self.page.keyboard.press("F9")
+        self.wait_solved()
+
     def largest(self, label: str) -> float:
         """Return a figure of the summary by the start of its label."""
         self.page.locator(".result").get_by_role("tab", name="Summary").click()
