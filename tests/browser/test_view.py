@@ -13,13 +13,14 @@ from helpers.browsing import Bench, Server
 pytestmark = pytest.mark.slow
 
 
-def test_results_saved_as_one_file_are_looked_at(own_server: Server, bench: Bench, case: Path, tmp_path: Path) -> None:
+def test_results_saved_as_one_file_are_looked_at(
+    server: Server, own_server: Server, bench: Bench, case: Path, tmp_path: Path
+) -> None:
     """The workbench saves one file with the case to the byte; the viewer shows the same settlement of it."""
-    bench.open(own_server.start(case))
+    bench.open(server.start(case))
     bench.wait_solved()
     settlement = bench.largest("largest settlement")
     path = bench.export("archive.zip", tmp_path)
-    own_server.stop()
     assert path.name == "slab-results.zip"
     with zipfile.ZipFile(path) as packed:
         assert packed.read("case.toml") == case.read_bytes()
