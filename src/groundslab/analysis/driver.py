@@ -11,13 +11,14 @@ from groundslab.analysis.adaptivity import Analysis, solve_adaptively
 from groundslab.analysis.load_step import OnStep
 from groundslab.analysis.mesh_hierarchy import MeshHierarchy, ReferenceSolutions, uniform_mesh
 from groundslab.analysis.moved_results import move_along, move_back
-from groundslab.analysis.tasks.run import Report, Setting, run
+from groundslab.analysis.tasks.run import Report, Setting, run, solve_settlement
 from groundslab.analysis.tasks.task import Outcome, Task, solve_task, task_of
 from groundslab.analysis.wall_limits import with_limits
 from groundslab.arrays import Array
 from groundslab.discretize.ground import Factors
 from groundslab.discretize.plan_layout import Meshes
 from groundslab.errors import GroundslabError, InputError, Issue, NotCertified
+from groundslab.fem.mesh import Mesh
 from groundslab.geometry.plan import Place
 from groundslab.model.combinations import as_solved, list_combinations
 from groundslab.model.loads.load_cases import Combination
@@ -191,6 +192,17 @@ class Variants:
         local = move_to_center(model)
         setting = Setting(as_solved(local), self._reference.meshes, self._reference, _about(local.origin, factors))
         return move_back(analyze(local, setting, _report(on_step)), model)
+
+    def solve_settlement(self, model: Model, factors: Factors) -> tuple[Mesh, Array]:
+        """Return the plate's mesh and its settlement (n,) [m] in the first combination of a model without symmetry.
+
+        Nothing else is found, for trials of constants: the slab does not crack, and nothing is judged. `factors` are as
+        in `solve_combinations`. Raises errors as `solve` does, but none of a certificate.
+        """
+        local = move_to_center(model)
+        setting = Setting(as_solved(local), self._reference.meshes, self._reference, _about(local.origin, factors))
+        mesh, settlement = solve_settlement(list_combinations(setting.model)[0], setting)
+        return (mesh if local is model else Mesh(mesh.nodes + local.origin, mesh.elements)), settlement
 
 
 def _analysis(model: Model, setting: Setting, report: Report) -> Analysis:

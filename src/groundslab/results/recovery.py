@@ -11,6 +11,7 @@ from groundslab.fem import plate
 from groundslab.fem.assembly import scatter
 from groundslab.fem.continuum.pressed_cells import PressedCells, press
 from groundslab.fem.hanging import find_halves
+from groundslab.fem.mesh import Mesh
 from groundslab.fem.parts import membrane as stretching
 from groundslab.fem.problem import BETA_X, BETA_Y, Problem, W, membrane_unknowns, plate_unknowns
 from groundslab.fem.shape_functions import gauss
@@ -113,6 +114,12 @@ def recover_fields(solution: Solution, frame: ResultMesh) -> MeshedFields:
         elements |= dict(zip(MEMBRANE, own.mean(axis=1).T, strict=True))
         membrane = frame.at_nodes(own, tuple(MEMBRANE), OF_TENSOR)
     return MeshedFields(forces, nodal, elements, surface_settlement(s, U), _press(solution), membrane)
+
+
+def settlement_of(solution: Solution, frame: ResultMesh) -> tuple[Mesh, Array]:
+    """Return the full plate's mesh and its settlement (n,) [m] alone, as the fields of a solution have it."""
+    settlement = plate_settlement(solution.system, solution.U)[frame.node]
+    return frame.plate.mesh, frame.plate.nodal("settlement", settlement)
 
 
 def _press(solution: Solution) -> PressedCells | None:

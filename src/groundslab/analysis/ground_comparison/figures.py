@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from groundslab.arrays import Array
-from groundslab.fem.mesh import Mesh, interpolate, locate
+from groundslab.fem.mesh import Mesh, MeshLocations, interpolate, locate
 from groundslab.fem.shape_functions import derivatives, gauss, q9
 from groundslab.results.fields import PLATE_FIELDS
 from groundslab.results.mesh_results import PlateResult
@@ -89,15 +89,22 @@ def gauss_points(plate: PlateResult) -> Samples:
 def sample(plate: PlateResult, field: str, places: Array) -> Array:
     """Return a nodal field at places (p, 2) [m], NaN beside the plate."""
     mesh = Mesh(plate.nodes, plate.elements)
-    where = locate(mesh, places)
-    return np.where(where[0] < 0, np.nan, interpolate(mesh, getattr(plate, field), where))
+    return sample_within(mesh, getattr(plate, field), locate(mesh, places))
+
+
+def sample_within(mesh: Mesh, values: Array, where: MeshLocations) -> Array:
+    """Return nodal values (n,) of a mesh at places that were located in it, NaN beside it."""
+    return np.where(where[0] < 0, np.nan, interpolate(mesh, values, where))
 
 
 def rms_differences(plate: PlateResult, reference: PlateResult, samples: Samples) -> dict[str, float]:
     """Return the root of the mean square of the difference of each field, over the reference's largest value."""
-    found = {}
+    found, meshes = {}, [Mesh(each.nodes, each.elements) for each in (plate, reference)]
+    located = [locate(mesh, samples.places) for mesh in meshes]
     for field in COMPARED_FIELDS:
-        difference = sample(plate, field, samples.places) - sample(reference, field, samples.places)
+        values = (getattr(each, field) for each in (plate, reference))
+        own, other = map(sample_within, meshes, values, located)
+        difference = own - other
         largest = float(np.abs(getattr(reference, field)).max())
         found[field] = float(np.linalg.norm(np.nan_to_num(difference) * samples.weights)) / (largest or 1.0)
     return found

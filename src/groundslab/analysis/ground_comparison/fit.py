@@ -7,15 +7,13 @@ from collections.abc import Callable, Sequence
 import numpy as np
 
 from groundslab.analysis.driver import Variants
-from groundslab.analysis.ground_comparison.figures import Samples, sample
+from groundslab.analysis.ground_comparison.figures import Samples, sample_within
 from groundslab.analysis.ground_comparison.soil_column import on_ground
 from groundslab.arrays import Array
-from groundslab.discretize.ground import Factors
-from groundslab.errors import NotCertified
+from groundslab.fem.mesh import MeshLocations, locate
 from groundslab.model.consistency import usual_size
 from groundslab.model.ground import Pasternak, Winkler
 from groundslab.model.model import Model
-from groundslab.results.mesh_results import PlateResult
 
 Springs = Winkler | Pasternak
 
@@ -59,9 +57,14 @@ def _best_ratios(
     variants = Variants(_prepare(model, first))
     weights = samples.weights / np.abs(settlement).max()
 
+    where: MeshLocations | None = None  # the samples are in the mesh that all trials have
+
     def residuals(x: Array) -> Array:
+        nonlocal where
         factors = {f"ground.{name}": _constant(ratio) for name, ratio in zip(names, np.exp(x - 1), strict=True)}
-        found = sample(_solve(variants, factors), "settlement", samples.places)
+        mesh, settled = variants.solve_settlement(variants.base.model, factors)
+        where = where or locate(mesh, samples.places)
+        found = sample_within(mesh, settled, where)
         # a place that a mesh with other chords of a curved edge does not reach counts nothing
         difference: Array = np.nan_to_num((found - settlement) * weights)
         return difference
@@ -87,14 +90,3 @@ def _prepare(model: Model, ground: Springs) -> Model:
 def _constant(ratio: float) -> Callable[[Array, Array], Array]:
     """Return a ratio as what it is at all places."""
     return lambda x, _: np.full(len(x), ratio)
-
-
-def _solve(variants: Variants, factors: Factors) -> PlateResult:
-    """Return the plate on springs multiplied by factors; one whose meshed ground is too narrow will do for a trial."""
-    found = variants.solve_combinations(variants.base.model, factors)
-    for reason in found.refused.values():
-        if not isinstance(reason, NotCertified):
-            raise reason
-        plate: PlateResult = reason.results.plate
-        return plate
-    return found.only.plate

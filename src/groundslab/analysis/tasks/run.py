@@ -9,16 +9,19 @@ from functools import partial
 import numpy as np
 
 from groundslab.analysis.mesh_hierarchy import MeshHierarchy, ReferenceSolutions, Solved, direction
-from groundslab.analysis.nested import HALVINGS, required_coarsenings
+from groundslab.analysis.nested import HALVINGS, required_coarsenings, solve_nested
 from groundslab.analysis.tasks.parallel import run_parallel
-from groundslab.analysis.tasks.task import Outcome, Task, ends_in_tails, solve_task
+from groundslab.analysis.tasks.task import Outcome, Task, ends_in_tails, solve_task, task_of
+from groundslab.arrays import Array
 from groundslab.discretize.ground import Factors
 from groundslab.discretize.plan_layout import Meshes, coarsest
+from groundslab.fem.mesh import Mesh
 from groundslab.model.combinations import list_combinations
 from groundslab.model.ground import ContinuousGround
 from groundslab.model.loads.load_cases import Combination
 from groundslab.model.model import Model
 from groundslab.results.record import Step
+from groundslab.results.recovery import settlement_of
 from groundslab.solvers import factorization
 from groundslab.solvers.direct.protocols import Solver
 
@@ -97,6 +100,20 @@ def run(tasks: Mapping[Task, Combination], setting: Setting, report: Report) -> 
     ]
     threads = factorization.threads(solver) // len(lanes)
     yield from run_parallel(by_lane, report, lambda: factorization.use_threads(solver, threads))
+
+
+def solve_settlement(combination: Combination, setting: Setting) -> tuple[Mesh, Array]:
+    """Return the plate's mesh and its settlement (n,) [m] in a combination in which the slab does not crack.
+
+    Nothing else is solved, recovered or judged. Raises an error as `solve` does, but none of a certificate.
+    """
+    _, solver = factorization.choose(setting.model.analysis.solver)
+    factorization.warm_up(solver)
+    task = task_of(setting.model, combination)
+    finest, *_ = _prepare_grounds([task], setting, solver)[task.lasting]
+    found = solve_nested(finest, combination.name, np.array(task.factors), lambda _: None)
+    solution = found[finest.finest][-1]
+    return settlement_of(solution, finest.result_mesh(solution, finest.finest))
 
 
 def _distribute(tasks: Iterable[Task], lanes: int) -> list[list[Task]]:
