@@ -102,9 +102,9 @@ def rms_differences(plate: PlateResult, reference: PlateResult, samples: Samples
     found, meshes = {}, [Mesh(each.nodes, each.elements) for each in (plate, reference)]
     located = [locate(mesh, samples.places) for mesh in meshes]
     for field in COMPARED_FIELDS:
-        values = (getattr(each, field) for each in (plate, reference))
-        own, other = map(sample_within, meshes, values, located)
-        difference = own - other
+        fields = (getattr(each, field) for each in (plate, reference))
+        own, wanted = map(sample_within, meshes, fields, located)
+        difference = own - wanted
         largest = float(np.abs(getattr(reference, field)).max())
         found[field] = float(np.linalg.norm(np.nan_to_num(difference) * samples.weights)) / (largest or 1.0)
     return found

@@ -56,7 +56,6 @@ def _best_ratios(
 
     variants = Variants(_prepare(model, first))
     weights = samples.weights / np.abs(settlement).max()
-
     where: MeshLocations | None = None  # the samples are in the mesh that all trials have
 
     def residuals(x: Array) -> Array:

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from typing import Any
 
+import numpy as np
 import pytest
 
 from groundslab import solve
+from groundslab.analysis.driver import Variants
 from groundslab.analysis.ground_comparison.figures import gauss_points, sample
 from groundslab.analysis.ground_comparison.fit import fit
 from groundslab.model.ground import Pasternak, Winkler
@@ -56,3 +58,18 @@ def test_winkler(mesh: dict[str, Any]) -> None:
     assert isinstance(found, Winkler)
     assert determined
     assert found.k == pytest.approx(3e7, rel=1e-6 if "size" in mesh else 2e-3)
+
+
+def test_trials_have_the_settlements_of_whole_results() -> None:
+    """Down to the last digit, on a slab that lies away from the origin: only what a fit does not need is left out."""
+    corners = [(0.7, -3.2), (6.7, -3.2), (6.7, 0.8), (0.7, 0.8)]
+    plate = {"outline": {"kind": "polygon", "points": corners}, "thickness": 0.2, "E": 30e9, "nu": 0.2}
+    loads = [{"kind": "uniform", "q": 5e2}, {"kind": "point", "P": 2e5, "x": 1.2, "y": -1.2}]
+    ground = {"kind": "pasternak", "k0": 1e7, "k1": 8e6}
+    variants = Variants(model(ground, plate=plate, loads=loads, mesh={"size": 0.5, "symmetry": "off"}))
+    factors = {"ground.k0": lambda x, _: np.full(len(x), 1.3)}
+    mesh, settlement = variants.solve_settlement(variants.base.model, factors)
+    whole = variants.solve_combinations(variants.base.model, factors).only.plate
+    np.testing.assert_array_equal(mesh.nodes, whole.nodes)
+    np.testing.assert_array_equal(mesh.elements, whole.elements)
+    np.testing.assert_array_equal(settlement, whole.settlement)
