@@ -153,7 +153,7 @@ def together(values: Sequence[float], dimension: str, system: System) -> tuple[l
     return units.together(values, dimension, () if system == "SI" else CUSTOMARY_STEPS.get(dimension, ()))
 
 
-def words_in(text: str, system: System, names: Iterable[str] = ()) -> str:
+def quantities_in(text: str, system: System, names: Iterable[str] = ()) -> str:
     """Return a text with the quantities in it in the units of a system, such as "kip" for "kN".
 
     Parameters
@@ -174,7 +174,7 @@ def words_in(text: str, system: System, names: Iterable[str] = ()) -> str:
 
     Examples
     --------
-    >>> words_in("v_Ed 120.5 kN/m at (1.250, 3.000) m is 0.8 times v_Rd,c", "US")
+    >>> quantities_in("v_Ed 120.5 kN/m at (1.250, 3.000) m is 0.8 times v_Rd,c", "US")
     'v_Ed 8.26 kip/ft at (4.1, 9.84) ft is 0.8 times v_Rd,c'
     """
     if system == "SI":

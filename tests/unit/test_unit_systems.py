@@ -11,9 +11,9 @@ from groundslab.unit_systems import (
     bar_size,
     bars_at,
     in_system,
+    quantities_in,
     together,
     unit_in,
-    words_in,
 )
 from groundslab.units import DIMENSIONS, UNITS, QuantityError, parse
 
@@ -59,7 +59,7 @@ def test_steps_have_their_size(dimension: str) -> None:
 def test_si_units_stay() -> None:
     """Without the wish for others nothing changes; angles and shares never do."""
     assert in_system(UNITS["kN"], "SI").name == "kN"
-    assert words_in("12 kN at (1, 2) m", "SI") == "12 kN at (1, 2) m"
+    assert quantities_in("12 kN at (1, 2) m", "SI") == "12 kN at (1, 2) m"
     assert unit_in("%", "US") == ("%", 1.0)
     assert unit_in("mrad", "US") == ("mrad", 1.0)
 
@@ -85,16 +85,16 @@ def test_si_units_stay() -> None:
 )
 def test_quantities_in_words(text: str, shown: str) -> None:
     """Numbers change with their unit, all that share it; names in quotes and numbers without a unit do not."""
-    assert words_in(text, "US") == shown
-    assert words_in(shown, "US") == shown
+    assert quantities_in(text, "US") == shown
+    assert quantities_in(shown, "US") == shown
 
 
 def test_names_keep_their_quantities() -> None:
     """What a case calls "pile 12 m" is called so in feet, too, also without quotes; what stands beside is converted."""
     names = ("pile 12 m", "pile 12 m deep", "A")
-    assert words_in("pile 12 m deep, 3.048 m off", "US", names) == "pile 12 m deep, 10 ft off"
-    assert words_in("pile 12 m, 3.048 m", "US", names) == "pile 12 m, 10 ft"
-    assert words_in("pile 12 m", "US") == "pile 39.4 ft"
+    assert quantities_in("pile 12 m deep, 3.048 m off", "US", names) == "pile 12 m deep, 10 ft off"
+    assert quantities_in("pile 12 m, 3.048 m", "US", names) == "pile 12 m, 10 ft"
+    assert quantities_in("pile 12 m", "US") == "pile 39.4 ft"
 
 
 def test_roots_of_strengths_have_the_root_of_their_unit() -> None:

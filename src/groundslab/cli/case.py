@@ -86,9 +86,9 @@ def check_case(options: argparse.Namespace) -> int:
         return EXIT_OK
     model = casefile.from_table(tables, Path(options.case).parent)
     from groundslab.analysis.check import check, find_unbalanced
+    from groundslab.messages import words_in
     from groundslab.model.combinations import list_combinations
     from groundslab.model.remarks.remarks import find_remarks
-    from groundslab.unit_systems import words_in
 
     check(model)
     lost = find_unbalanced(model)

@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING
 
 from groundslab.cli.case import write_or_print
 from groundslab.cli.console import EXIT_DESIGN_FAILS, EXIT_NO_RESULT, EXIT_OK, print_stderr
-from groundslab.unit_systems import bar_size, bars_at, words_in
+from groundslab.messages import words_in
+from groundslab.unit_systems import bar_size, bars_at
 
 if TYPE_CHECKING:
     import argparse

@@ -10,6 +10,7 @@ from groundslab.design.basis.design_code import Calculation
 from groundslab.design.basis.webs import Web
 from groundslab.design.beam_bars import BeamNeed, beam_needs
 from groundslab.design.codes import code_of
+from groundslab.messages import Message
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.results import Results
 
@@ -28,7 +29,10 @@ def beam_steps(combined: Results, steel: Reinforcement) -> Iterator[tuple[str, C
     states = {name: results.limit_state for name, results in combined.results.items()}
     webs = list[tuple[str, str, Web]]()
     for need in beam_needs(combined, steel):
-        state, of = states[need.combination], f"{need.beam}, {need.way:.2f} m from its start"
+        state, of = (
+            states[need.combination],
+            Message("{beam}, {way:.2f m} from its start", beam=need.beam, way=need.way),
+        )
         if need.web is not None:
             if (need.what == "torsion" and need.area == 0) or (need.beam, need.combination, need.web) in webs:
                 continue
@@ -39,7 +43,7 @@ def beam_steps(combined: Results, steel: Reinforcement) -> Iterator[tuple[str, C
         elif need.bars is None or need.zone is None or need.bars.moment == 0:
             continue
         else:
-            of = f"{need.beam}, {need.what}, {need.way:.2f} m from its start"
+            of = Message("{beam}, {what}, {way:.2f m} from its start", beam=need.beam, what=need.what, way=need.way)
             steps = (
                 *_moment(need), *rule.bars_by_steps(steel, need.bars, state),
                 *rule.minimum_by_steps(steel, state, need.zone), _required(need),

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from groundslab.arrays import Array, Flags, Integers, Memo
+from groundslab.messages import Message
 from groundslab.model.loads.acting import PlateAction, PointForce
 from groundslab.model.loads.load_types import AnyLoad
 from groundslab.model.model import Model
@@ -30,7 +31,7 @@ def _elements_by_plate(results: CombinationResult) -> dict[str, Flags]:
     """Return which elements belong to each plate."""
     plates = results.model.every_plate
     number = np.searchsorted(first_sections(plates), results.elements.section, side="right") - 1
-    return {plate.name or f"plate {n + 1}": number == n for n, plate in enumerate(plates)}
+    return {plate.name or Message("plate {n}", n=n + 1): number == n for n, plate in enumerate(plates)}
 
 
 def split_by_plate(results: CombinationResult) -> dict[str, CombinationResult]:

@@ -8,6 +8,7 @@ from operator import attrgetter
 
 from groundslab.design.checks import check_design
 from groundslab.design.tables.table import Column, Table, table_of
+from groundslab.messages import Message, Name
 from groundslab.results.results import Results
 
 #: What is said where demands have errors.
@@ -37,5 +38,8 @@ def checks_table(combined: Results) -> Table:
         return table
     of_ratios = [error if error is None or isfinite(error) else None for error in map(_ERROR, checks)]
     errors = {"demand": [check.error for check in checks], "utilisation": of_ratios}
-    columns = (Column(f"error of {name}", "", tuple(values), error_of=name) for name, values in errors.items())
+    columns = (
+        Column(Message("error of {name}", name=Name(name)), "", tuple(values), error_of=name)
+        for name, values in errors.items()
+    )
     return replace(table, columns=(*table.columns, *columns), notes=(*table.notes, HANGS))

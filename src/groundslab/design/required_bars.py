@@ -13,6 +13,7 @@ from groundslab.design.bending import Axes, BendingRule, SlabReinforcement, slab
 from groundslab.design.codes import code_of
 from groundslab.design.demands.design_moments import DesignMoments, design_moments
 from groundslab.design.envelope import Envelope, envelope
+from groundslab.messages import Message
 from groundslab.model.design.laid_bars import axis_of, laid_bars
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.fields import BAR_FIELDS, LAYERS, extreme_node, place_of
@@ -211,7 +212,7 @@ def _need(
 
 def section_name(section: int) -> str:
     """Return the name of a section of the plate: the plate's own, or a zone by its number."""
-    return f"zone {section}" if section else "plate"
+    return Message("zone {section}", section=section) if section else "plate"
 
 
 def _share(plate: PlateResult, nodes: Integers) -> float:

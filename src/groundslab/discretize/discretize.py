@@ -34,6 +34,7 @@ from groundslab.fem.parts.membrane import membrane_rigidity
 from groundslab.fem.parts.plates import Plates
 from groundslab.fem.problem import BETA_X, BETA_Y, TOP, Loading, Problem, W
 from groundslab.geometry.plan import SAME_PLACE
+from groundslab.messages import Message
 from groundslab.model.ground import ContinuousGround
 from groundslab.model.model import Model
 from groundslab.model.plate import Plate
@@ -111,7 +112,7 @@ def _plates(model: Model, plan: Layout, element: plate.PlateElement, in_plane: b
         rigidity=plan.section,
         section=plan.section,
         number=plan.plate,
-        names=tuple(sheet.name or f"plate {n}" for n, sheet in enumerate(model.every_plate, start=1)),
+        names=tuple(sheet.name or Message("plate {n}", n=n) for n, sheet in enumerate(model.every_plate, start=1)),
         thickness=np.array([t for _, _, t, _ in sections])[plan.section],
         edges=plan.plate_edges,
         cracking=cracked_sections(model, plan.section, centers),

@@ -17,6 +17,7 @@ from itertools import accumulate
 from pathlib import Path
 from typing import Any, Literal
 
+from groundslab.messages import Clause, Listed, Message, Name, fill, written
 from groundslab.unit_systems import message_in
 from groundslab.units import NUMBER
 
@@ -42,6 +43,8 @@ FEW_LETTERS = 6
 DEEPEST = 8
 
 _GAP = re.compile(r"\{(\d*)\}")
+#: A hole of a message that is a value.
+_NAMED = re.compile(r"\{([A-Za-z_]\w*)\}")
 #: Between sentences.
 _SENTENCES = re.compile(r"(?<=[.!?]) (?=[^\W\d_a-z])")
 #: The point of an abbreviation and that of a sentence.
@@ -152,6 +155,15 @@ class Catalogue:
         return _BEFORE_MARKS.sub("\N{NO-BREAK SPACE}", translated) if self.language == "fr" else translated
 
     def _translated(self, text: str, depth: int) -> str:
+        if isinstance(text, Clause):
+            return self.whole.get(text) or _WORDS.sub(lambda word: self.whole.get(word[0], word[0]), text)
+        if isinstance(text, Name):
+            return text
+        if isinstance(text, Listed):
+            mark = WORDS_BETWEEN[self.language].get(text.mark, text.mark)
+            return mark.join(self._translated(part, depth) for part in text.parts)
+        if isinstance(text, Message):
+            return self._message(text)
         found = self._found(text, depth)
         if found is not None:
             return found
@@ -167,6 +179,24 @@ class Catalogue:
         if self.unknown is not None:
             self.unknown.append(text)
         return text
+
+    def _message(self, said: Message) -> str:
+        """Return a message by the translation of its template, its values in the language."""
+        key = said.key
+        template = self.whole.get(key.strip())
+        if template is None:
+            if self.unknown is not None and _WORD.search(_NAMED.sub("", key)):
+                self.unknown.append(key)
+            template = key
+        else:
+            template = key.replace(key.strip(), template, 1)
+
+        def write(value: Any, spec: str) -> str:
+            if isinstance(value, str):
+                return self._translated(value, 0)
+            return with_commas(written(value, spec, said.units))
+
+        return _TWO_STOPS.sub(".", fill(template, said.template, said.values, write))
 
     def _found(self, text: str, depth: int) -> str | None:
         """Return the translation of a text, None if a part of it has none."""
@@ -303,11 +333,23 @@ def messages(language: Language) -> dict[str, str]:
     return tomllib.loads(Path(__file__).with_name(f"{language}.toml").read_text(encoding="utf-8"))
 
 
+def _with_gaps(message: str, translation: str) -> tuple[str, str]:
+    """Return a message with gaps in place of named holes, and its translation, for texts that are no values."""
+    names = _NAMED.findall(message)
+    if not names:
+        return message, translation
+    numbered = _NAMED.sub(lambda hole: f"{{{names.index(hole[1]) + 1}}}", translation)
+    in_order = [f"{{{number}}}" for number in range(1, len(names) + 1)] == re.findall(r"\{\d+\}", numbered)
+    return _NAMED.sub("{}", message), re.sub(r"\{\d+\}", "{}", numbered) if in_order else numbered
+
+
 @cache
 def _catalogue(language: Language) -> Catalogue:
     """Return the catalogue of a language."""
-    known = dict(_with_sentences(messages(language)))
+    read = messages(language)
+    known = dict(_with_sentences(read))
     whole = {key: value for key, value in known.items() if not _GAP.search(key)}
+    whole |= {key.strip(): value.strip() for key, value in read.items() if _NAMED.search(key)}
     templates: dict[str, list[Template]] = {}
     for key, value in known.items():
         if _GAP.search(key):
@@ -323,6 +365,7 @@ def _with_sentences(known: Mapping[str, str]) -> Iterator[tuple[str, str]]:
 
     The space around a message stays as it is in a text.
     """
+    known = dict(_with_gaps(*pair) for pair in known.items())
     customary = {message_in(key, "US"): message_in(value, "US") for key, value in known.items()}
     for message, translation in ((key.strip(), value.strip()) for key, value in {**customary, **known}.items()):
         parts, others = _SENTENCES.split(message), _SENTENCES.split(translation)

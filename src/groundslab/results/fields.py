@@ -8,6 +8,7 @@ from typing import Literal
 import numpy as np
 
 from groundslab.arrays import Array
+from groundslab.messages import Message
 from groundslab.unit_systems import DISPLAYED
 from groundslab.units import Unit
 
@@ -50,12 +51,12 @@ class ResultField:
     @property
     def name(self) -> str:
         """Return label and unit, as in "settlement w [mm]"."""
-        return f"{self.label} [{self.unit}]"
+        return Message("{label} [{unit}]", label=self.label, unit=self.unit)
 
     @property
     def si_name(self) -> str:
         """Return label and SI unit, as in "settlement w [m]"."""
-        return f"{self.label} [{self.display.si}]" if self.display.si else self.label
+        return Message("{label} [{si}]", label=self.label, si=self.display.si) if self.display.si else self.label
 
 
 NOT, OVER_AREA, OVER_LENGTH = "not averaged", "force of a node over its area", "force of a node over its length"
@@ -155,7 +156,9 @@ _WOOD = "design moment of Wood and Armer for {} bars along {}"
 _FACES: tuple[tuple[str, Sign], ...] = (("bottom", "not negative"), ("top", "not positive"))
 #: Design moments of the four layers of bars.
 LAYERS: dict[str, ResultField] = {
-    f"{face}_{axis}": _moment(f"design moment {face} {axis}", "", _WOOD.format(face, axis), sign)
+    f"{face}_{axis}": _moment(
+        Message("design moment {face} {axis}", face=face, axis=axis), "", _WOOD.format(face, axis), sign
+    )
     for face, sign in _FACES
     for axis in "xy"
 }
@@ -163,10 +166,28 @@ LAYERS: dict[str, ResultField] = {
 _ULTIMATE = "over all ultimate combinations"
 #: What is told of bars: symbol, unit, dimension, quantity, meaning.
 _OF_BARS = {
-    "required": ("a_req", "cm2/m", "area per length", "required area", f"the largest {_ULTIMATE}"),
+    "required": (
+        "a_req",
+        "cm2/m",
+        "area per length",
+        "required area",
+        Message("the largest {ultimate}", ultimate=_ULTIMATE),
+    ),
     "provided": ("a_prov", "cm2/m", "area per length", "provided area", "of the bars provided there"),
-    "utilisation": ("eta", "%", "share", "utilisation", f"required over provided area {_ULTIMATE}"),
-    "missing": ("a_miss", "cm2/m", "area per length", "missing area", f"required less provided {_ULTIMATE}"),
+    "utilisation": (
+        "eta",
+        "%",
+        "share",
+        "utilisation",
+        Message("required over provided area {ultimate}", ultimate=_ULTIMATE),
+    ),
+    "missing": (
+        "a_miss",
+        "cm2/m",
+        "area per length",
+        "missing area",
+        Message("required less provided {ultimate}", ultimate=_ULTIMATE),
+    ),
 }
 #: Fields of the four layers of bars that belong to no single combination: what bending and the minimum need, what is
 #: laid, and both compared.

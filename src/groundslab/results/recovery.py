@@ -17,6 +17,7 @@ from groundslab.fem.problem import BETA_X, BETA_Y, Problem, W, membrane_unknowns
 from groundslab.fem.shape_functions import gauss
 from groundslab.fem.system import plate_settlement, surface_settlement
 from groundslab.fem.vlasov import Soil
+from groundslab.messages import Message
 from groundslab.model.loads.load_cases import Combination
 from groundslab.model.model import Model
 from groundslab.results.balance.beam_forces import beam_results
@@ -171,7 +172,7 @@ def support_results(model: Model, solution: Solution) -> tuple[SupportResult, ..
                 moments[:, axis] += force[turned]
         found.append(
             SupportResult(
-                name=support.name or f"support {number + 1}",
+                name=support.name or Message("support {number}", number=number + 1),
                 nodes=problem.mesh.nodes[nodes],
                 length=b.length[own],
                 settlement=w[nodes],

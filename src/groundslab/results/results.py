@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, Generic, TypeVar
 from groundslab.arrays import Array, freeze, made_once
 from groundslab.errors import GroundslabError, InputError, Issue, NoEquilibrium, NotCertified
 from groundslab.fem.parts.mesh_plan import MeshPlan
+from groundslab.messages import Message, words_in
 from groundslab.results.fields import PLATE_FIELDS
 from groundslab.results.mesh_results import ElementResult, GroundResult, PlateResult
 from groundslab.results.record import (
@@ -26,7 +27,7 @@ from groundslab.results.record import (
 )
 from groundslab.schema.issues import require
 from groundslab.schema.wording import listed, quote
-from groundslab.unit_systems import System, in_system, words_in
+from groundslab.unit_systems import System, in_system
 from groundslab.units import format_number
 
 if TYPE_CHECKING:
@@ -380,7 +381,7 @@ class Results(Mapping[str, CombinationResult]):
 def refusal_words(error: GroundslabError, units: System = "SI") -> str:
     """Return why a combination has no certified results, on one line: the foundation fails, or it is not solved."""
     kind = "FOUNDATION FAILS" if isinstance(error, NoEquilibrium) else "not solved"
-    return f"{kind}: {words_in(' '.join(str(error).split()), units)}"
+    return Message("{kind}: {reason}", kind=kind, reason=words_in(" ".join(str(error).split()), units))
 
 
 def _figures(results: CombinationResult) -> tuple[str, str, str]:

@@ -12,6 +12,7 @@ from groundslab.discretize.voids import VoidShares, share_voids
 from groundslab.fem.shape_functions import areas
 from groundslab.fem.vlasov import Soil
 from groundslab.geometry.area_shares import shares
+from groundslab.messages import Message
 from groundslab.model.ground import ContinuousGround, Continuum, Layered, SoilLayer, Vlasov
 
 if TYPE_CHECKING:
@@ -66,9 +67,9 @@ def list_columns(model: Model) -> list[tuple[str, tuple[SoilLayer, ...]]]:
     Ground that is not given by E, nu and thickness has no layers.
     """
     if model.boreholes:
-        return [(hole.name or f"borehole {n}", hole.layers) for n, hole in enumerate(model.boreholes, 1)]
+        return [(hole.name or Message("borehole {n}", n=n), hole.layers) for n, hole in enumerate(model.boreholes, 1)]
     grounds: list[tuple[str, AnyGround]] = [("ground", model.ground)]
-    grounds += [(f"zone of soil {n}", zone.ground) for n, zone in enumerate(model.soil_zones, 1)]
+    grounds += [(Message("zone of soil {n}", n=n), zone.ground) for n, zone in enumerate(model.soil_zones, 1)]
     return [(name, _layers(ground)) for name, ground in grounds]
 
 

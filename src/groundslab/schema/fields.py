@@ -12,6 +12,7 @@ from dataclasses import dataclass, replace
 from typing import Any, ClassVar, get_args
 
 from groundslab import units
+from groundslab.messages import Name
 from groundslab.schema import ranges, toml_writer
 from groundslab.schema.issues import FieldError, RelativeIssue, field_error
 from groundslab.schema.repairs import add_unit, meant_word
@@ -282,13 +283,13 @@ class Text(FieldType):
 
     meaning: str
 
-    def read(self, value: Any, from_file: bool) -> str:  # noqa: ARG002
-        """Return the text as it may be shown anywhere, see `printable`."""
+    def read(self, value: Any, from_file: bool) -> Name:  # noqa: ARG002
+        """Return the text as it may be shown anywhere, see `printable`, and as it stays wherever it is shown."""
         if not isinstance(value, str):
             raise field_error(value, self.expected())
         if any("\ud800" <= letter <= "\udfff" for letter in value):
             raise field_error(value, "text without lone surrogates")
-        return printable(value)
+        return Name(printable(value))
 
 
 def _read_each(

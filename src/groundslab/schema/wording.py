@@ -7,6 +7,8 @@ import numbers
 import re
 from collections.abc import Iterable, Mapping, Sequence
 
+from groundslab.messages import Name
+
 MOST_NAMES = 10  # that are listed of those in a file
 #: Letters that Python calls printable and nobody sees: the rest of what Unicode lets programs ignore
 #: (Default_Ignorable_Code_Point), and the blank pattern of Braille.
@@ -41,9 +43,9 @@ def with_article(noun: str) -> str:
     return f"{'an' if noun[:1].lower() in 'aeiou' else 'a'} {noun}"
 
 
-def quote(text: object) -> str:
+def quote(text: object) -> Name:
     """Return a text in double quotes, escaped as in TOML, which also makes it safe for a terminal; what is none too."""
-    return f'"{escape(str(text))}"'
+    return Name(f'"{escape(str(text))}"')
 
 
 def escape(text: str) -> str:

@@ -20,6 +20,7 @@ from groundslab.analysis.ground_comparison.figures import (
 from groundslab.analysis.ground_comparison.fit import FITTED, fit
 from groundslab.analysis.ground_comparison.soil_column import FROM_SOIL, SoilColumn, find_soil, on_continuum, on_ground
 from groundslab.errors import InputError, Issue
+from groundslab.messages import Message, quoted
 from groundslab.model.combinations import list_combinations, place_patterns
 from groundslab.model.ground import Ground, Pasternak, Winkler
 from groundslab.model.loads.load_cases import Combination
@@ -184,10 +185,12 @@ def compare_grounds(
     solved = {"continuum": continuum} | from_soil | fitted
     lost = tuple(variants.base.without_equilibrium)
     if lost:
-        notes.append(f"FOUNDATION FAILS: no equilibrium on the continuum in {', '.join(map(quote, lost))}.")
+        notes.append(
+            Message("FOUNDATION FAILS: no equilibrium on the continuum in {listed}.", listed=quoted(lost, len(lost)))
+        )
     if variants.base.unsolved:
-        names = ", ".join(map(quote, variants.base.unsolved))
-        notes.append(f"Left aside, without a certified result on the continuum: {names}.")
+        names = quoted(variants.base.unsolved, len(variants.base.unsolved))
+        notes.append(Message("Left aside, without a certified result on the continuum: {names}.", names=names))
     found = _compare(model, solved, (*_notes(base, continuum.limit_state), *notes, *soil.notes))
     return replace(found, without_equilibrium=lost)
 
@@ -209,12 +212,19 @@ def _solve_fitted(
     """Return the results on the grounds that are fitted, by their kinds, and notes on the fit."""
     samples = gauss_points(continuum.plate)
     settlement = sample(continuum.plate, "settlement", samples.places)
-    solved, notes = {}, []
+    solved: dict[str, CombinationResult] = {}
+    notes: list[str] = []
     for kind in FITTED:
         report(kind)
         ground, determined = fit(kind, model, (*start.k0, *start.k1), samples, settlement)
         if not determined:
-            notes.append(f"{UNDETERMINED} {kind.capitalize()}: others fit nearly as well.")
+            notes.append(
+                Message(
+                    "{undetermined} {capitalize}: others fit nearly as well.",
+                    undetermined=UNDETERMINED,
+                    capitalize=kind.capitalize(),
+                )
+            )
         solved[kind] = variants.solve_combinations(on_ground(model, ground)).only
     return solved, notes
 
@@ -290,7 +300,12 @@ def _softening(model: Model, limit_state: str) -> float:
 def _notes(model: Model, limit_state: str) -> tuple[str, ...]:
     """Return what holds for every comparison, and how the ground is under loads that last."""
     softening = _softening(model, limit_state)
-    softer = (f"All grounds are those under loads that last, {softening:g} times as stiff as their constants say.",)
+    softer = (
+        Message(
+            "All grounds are those under loads that last, {softening:g} times as stiff as their constants say.",
+            softening=softening,
+        ),
+    )
     mesh = (
         "The mesh was refined for the continuum; elements of the same sizes were taken for all grounds. Constants were "
         "fitted on the first mesh."
@@ -298,7 +313,7 @@ def _notes(model: Model, limit_state: str) -> tuple[str, ...]:
         else "Elements are of the same size on all grounds."
     )
     return (
-        f"{mesh} Ground that carries shear extends infinitely beyond the plate.",
+        Message("{mesh} Ground that carries shear extends infinitely beyond the plate.", mesh=mesh),
         "Constants of Pasternak's ground and of springs are those with which this slab under these loads settles most "
         "like on the continuum, by least squares over its area. They hold for no other slab or load.",
         "The continuum's pressure grows without a limit towards the plate's edges: its largest value depends on the "

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from groundslab.errors import InputError, Issue
+from groundslab.messages import Message, Name
 from groundslab.model.ground import (
     AnyGround,
     ConstrainedModulus,
@@ -73,15 +74,24 @@ def find_soil(model: Model) -> SoilColumn:
     if model.boreholes:
         hole, name = _middle_borehole(model)
         layers = [layer for layer in hole.layers if layer.thickness]
-        notes.append(f"All grounds have the layers of {name} everywhere, the borehole nearest to the plate's middle.")
+        notes.append(
+            Message(
+                "All grounds have the layers of {name} everywhere, the borehole nearest to the plate's middle.",
+                name=Name(name),
+            )
+        )
     if not all(isinstance(layer, SoilLayer) for layer in layers) or not (layers or half_space):
-        found = f"{quote(ground.kind)} without layers of soil"
+        found = Message("{name} without layers of soil", name=quote(ground.kind))
         hint = 'such as kind = "continuum"; springs alone do not define a continuum'
         raise InputError([Issue("ground", found, "layers given by E, nu and thickness", hint)])
     if half_space is not None:
         notes.append(
-            f"The continuum has a half-space below its layers. Other layered grounds need a base: they end {base:g} m "
-            f"below these, {BASE_DEPTH:g} times the plate's shorter side."
+            Message(
+                "The continuum has a half-space below its layers. Other layered grounds need a base: they end "
+                "{base:g m} below these, {base_depth:g} times the plate's shorter side.",
+                base=base,
+                base_depth=BASE_DEPTH,
+            )
         )
     if any(map(presses_ground, model.loads)):
         notes.append("Loads off the plate have no effect on springs, and act on the other grounds only.")

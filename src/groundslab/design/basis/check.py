@@ -11,7 +11,8 @@ from dataclasses import dataclass, replace
 from typing import Any, Literal
 
 from groundslab.design.basis.calculation import Step
-from groundslab.unit_systems import System, unit_in, words_in
+from groundslab.messages import Message, quoted, words_in
+from groundslab.unit_systems import System, unit_in
 
 Status = Literal["fails", "attention", "no failure found", "not checked"]
 #: Statuses in the order in which they are listed.
@@ -161,7 +162,7 @@ class DesignCheck:
     @property
     def verdict(self) -> str:
         """Return how it ended, and whether that hangs on the discretization error."""
-        return f"{self.status}, but within the error" if self.hangs else self.status
+        return Message("{status}, but within the error", status=self.status) if self.hangs else self.status
 
     def _used(self, demand: float) -> float | None:
         """Return the utilisation by a demand."""
@@ -173,7 +174,9 @@ class DesignCheck:
 
 def not_judged(name: str, why: Unjudged, words: str, **about: Any) -> DesignCheck:
     """Return a check that ends without a verdict, with what to do in its words."""
-    return DesignCheck(name, "attention", f"not judged: {words}; {why.do}", unjudged=why, **about)
+    return DesignCheck(
+        name, "attention", Message("not judged: {text}; {do}", text=words, do=why.do), unjudged=why, **about
+    )
 
 
 def in_units(check: DesignCheck, system: System, names: Collection[str] = ()) -> DesignCheck:
@@ -190,4 +193,4 @@ def in_units(check: DesignCheck, system: System, names: Collection[str] = ()) ->
 
 def some(names: Sequence[str], most: int = 5) -> str:
     """Return the first of some names, quoted."""
-    return ", ".join(f'"{name}"' for name in names[:most]) + (" ..." if len(names) > most else "")
+    return quoted(names, most)

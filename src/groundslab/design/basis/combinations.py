@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from groundslab.messages import Message
 from groundslab.model.loads.load_cases import STRENGTH
 from groundslab.results.results import CombinationResult, Results
 
@@ -28,7 +29,11 @@ def ultimate_results(combined: Results) -> list[CombinationResult]:
 def why_none(combined: Results, states: Sequence[str], called: str) -> str:
     """Return why no combination of some limit states has results, by what such a combination is called."""
     there = any(combination.limit_state in states for combination in combined.combinations)
-    return f"no {called} has a certified result" if there else f"the case has no {called}"
+    return (
+        Message("no {called} has a certified result", called=called)
+        if there
+        else Message("the case has no {called}", called=called)
+    )
 
 
 def without_partial_factors(combined: Results) -> bool:

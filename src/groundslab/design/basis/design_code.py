@@ -23,6 +23,7 @@ from groundslab.design.bending import BendingRule
 from groundslab.design.demands.perimeter_loads import Reach
 from groundslab.design.demands.perimeters import SketchedPerimeter
 from groundslab.design.punching_links.demand import LinkDemand
+from groundslab.messages import Message, Name
 from groundslab.model.design.laid_bars import LaidBars
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.results import CombinationResult, Results
@@ -262,4 +263,4 @@ class DesignCode:
 
 def no_rule(code: DesignCode, what: str) -> DesignCheck:
     """Return the check of what a code has no rule for here: it is open."""
-    return not_judged(what, NO_RULE, f"{code.name} has no rule for it here")
+    return not_judged(what, NO_RULE, Message("{name} has no rule for it here", name=Name(code.name)))

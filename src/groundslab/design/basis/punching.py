@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from typing import Protocol, TypeVar
 
 from groundslab.design.basis.check import MOST_NAMED, NO_PERIMETER, SUPPORT_INSIDE, DesignCheck, not_judged
+from groundslab.messages import Message, Name
 from groundslab.model.design.reinforcement import Reinforcement
 
 Heads = tuple[tuple[str, str], ...]
@@ -73,9 +74,10 @@ NO_COLUMNS = PunchingColumns((), lambda _, __: [], ())
 
 def effective_note(about_center: str) -> str:
     """Return the note on openings, with the properties of the perimeter about its center."""
-    return (
-        "The part between the tangents to an opening does not count; center, moments and "
-        f"{about_center} are those of the remaining part."
+    return Message(
+        "The part between the tangents to an opening does not count; center, moments and {about_center} "
+        "are those of the remaining part.",
+        about_center=about_center,
     )
 
 
@@ -100,8 +102,14 @@ def pulled_notes(demands: Iterable[Pulling]) -> tuple[str, ...]:
 
 def missing_notes(missing: Mapping[str, str], support: str) -> tuple[str, ...]:
     """Return why some have no perimeter, by their names, as notes."""
-    of = "around" if support == "zone" else f"of {support}"
-    return tuple(f"no punching {of} {name}: {why}" for name, why in missing.items())
+    if support == "zone":
+        return tuple(
+            Message("no punching around {name}: {why}", name=Name(name), why=why) for name, why in missing.items()
+        )
+    return tuple(
+        Message("no punching of {support} {name}: {why}", support=support, name=Name(name), why=why)
+        for name, why in missing.items()
+    )
 
 
 def cells_inside(force: float, pressure: float, edge: float, others: float) -> list[float | None]:
@@ -180,7 +188,11 @@ def with_the_rest(
     many, none, cut = called
     cuts, bare = ([each for each, why in sorted(missing.items()) if (why == cut) == is_cut] for is_cut in (True, False))
     one_way = (
-        f"perimeters of {many} ({_named(cuts)}) cut the slab from edge to edge, which one-way shear judges"
+        Message(
+            "perimeters of {many} ({named}) cut the slab from edge to edge, which one-way shear judges",
+            many=many,
+            named=_named(cuts),
+        )
         if cuts
         else ""
     )
@@ -190,16 +202,26 @@ def with_the_rest(
         yield DesignCheck(name, "no failure found", one_way or none)
     if supported:
         worst = max(supported, key=supported.__getitem__)
-        words = (
-            f"{many} ({_named(sorted(supported))}) have another support inside their perimeters; with what it adds and "
-            f"without what it takes off {worst} uses {supported[worst]:.3g} times what resists"
+        words = Message(
+            "{many} ({named}) have another support inside their perimeters; with what it adds and without "
+            "what it takes off {worst} uses {supported:.3g} times what resists",
+            many=many,
+            named=_named(sorted(supported)),
+            worst=worst,
+            supported=supported[worst],
         )
-        yield not_judged(f"{name} beside supports", SUPPORT_INSIDE, words, of=worst)
+        yield not_judged(Message("{name} beside supports", name=Name(name)), SUPPORT_INSIDE, words, of=worst)
     if bare:
-        words = f"{many} ({_named(bare)}) have no perimeter; {bare[0]}: {missing[bare[0]]}"
-        yield not_judged(f"{name} without a perimeter", NO_PERIMETER, words, of=bare[0])
+        words = Message(
+            "{many} ({named}) have no perimeter; {bare}: {missing}",
+            many=many,
+            named=_named(bare),
+            bare=bare[0],
+            missing=missing[bare[0]],
+        )
+        yield not_judged(Message("{name} without a perimeter", name=Name(name)), NO_PERIMETER, words, of=bare[0])
 
 
 def _named(names: list[str]) -> str:
     """Return the first of some names."""
-    return ", ".join(names[:MOST_NAMED]) + (" ..." if len(names) > MOST_NAMED else "")
+    return Name(", ".join(names[:MOST_NAMED]) + (" ..." if len(names) > MOST_NAMED else ""))

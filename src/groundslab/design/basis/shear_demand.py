@@ -9,6 +9,7 @@ from typing import NamedTuple
 from groundslab.design.basis.calculation import MEGA, Step
 from groundslab.design.basis.check import DesignCheck, Status
 from groundslab.design.basis.demand_errors import scaled
+from groundslab.messages import Message, Name
 from groundslab.results.results import CombinationResult
 
 
@@ -47,7 +48,8 @@ class ShearDemand:
     def where(self) -> str:
         """Return place and combination in words."""
         edge = ", with the line force along the edge as pressure on a strip," if self.spread else ""
-        return f'({self.place[0]:.3f}, {self.place[1]:.3f}) m in "{self.results.combination}"{edge}'
+        name = Name(self.results.combination)
+        return Message('{place:.3f m} in "{combination}"', place=self.place, combination=name) + edge
 
     def check(self, status: Status, words: str, clause: str, steps: Iterable[Step]) -> DesignCheck:
         """Return the check of this place, with its calculation."""
@@ -83,14 +85,16 @@ class ShearDemand:
         share = (q_x / self.v) ** 2
         yield Step("cos^2 of the force's angle from x", "s", share, "", f"q_x^2 / {force}^2")
         for name, moment in (("m_x", m_x), ("m_y", m_y), ("m_xy", m_xy)):
-            words = "twisting moment" if name == "m_xy" else f"moment of strips along {name[-1]}"
+            words = (
+                "twisting moment" if name == "m_xy" else Message("moment of strips along {name}", name=Name(name[-1]))
+            )
             yield Step(words, name, moment / MEGA, "MNm/m")
         m_n = m_x * share + m_y * (1 - share) + 2 * m_xy * q_x * q_y / self.v**2
         formula = f"m_x * s + m_y * (1 - s) + 2 * m_xy * q_x * q_y / {force}^2"
         yield Step(
             "moment along the force, positive where the bottom is in tension", "m_n", m_n / MEGA, "MNm/m", formula
         )
-        yield Step(f"ratio of bars along x at the {face}", "rho_x", rho_x)
-        yield Step(f"ratio of bars along y at the {face}", "rho_y", rho_y)
+        yield Step(Message("ratio of bars along x at the {face}", face=face), "rho_x", rho_x)
+        yield Step(Message("ratio of bars along y at the {face}", face=face), "rho_y", rho_y)
         formula = "rho_x * s^2 + rho_y * (1 - s)^2"
         yield Step("ratio of bars in tension along the force", symbol, rho, "", formula, clause)

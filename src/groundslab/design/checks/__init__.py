@@ -26,6 +26,7 @@ from groundslab.design.checks.one_way_shear import shear
 from groundslab.design.en1997 import checks as en1997
 from groundslab.design.floors import checks as floors
 from groundslab.design.floors import dowel_checks
+from groundslab.messages import Message, Name
 from groundslab.model.names import names_of
 from groundslab.model.remarks.remarks import find_remarks
 from groundslab.results.results import Results
@@ -138,7 +139,11 @@ def _check_design(combined: Results) -> Design:
     left = "; ".join((unchecked if "strength" in unchecked else {"anchorage": NOT_CHECKED, **unchecked}).values())
     failing, doubtful = (sum(check.status == status for check in checked) for status in ("fails", "attention"))
     hanging = sum(check.hangs for check in checked)
-    of_them = f", {hanging} {_verb('hang', hanging)} on the discretization error" if hanging else ""
+    of_them = (
+        Message(", {hanging} {verb} on the discretization error", hanging=hanging, verb=_verb("hang", hanging))
+        if hanging
+        else ""
+    )
     total = f"{len(checked)} check{'s' if len(checked) > 1 else ''}"
     left_open = _left_open(checked)
     if failing:
@@ -151,7 +156,11 @@ def _check_design(combined: Results) -> Design:
         words = f"DESIGN NEEDS ATTENTION: {doubtful} of {total} {_verb('need', doubtful)} it{of_them}."
         return Design("attention", words + left_open, checked)
     if checked:
-        return Design("no failure found", f"No failure found in {total}{of_them}; {left}.", checked)
+        return Design(
+            "no failure found",
+            Message("No failure found in {total}{of_them}; {left}.", total=total, of_them=of_them, left=left),
+            checked,
+        )
     return Design("not checked", f"{left[:1].upper()}{left[1:]}.")
 
 
@@ -161,16 +170,24 @@ def _left_open(checked: Sequence[DesignCheck]) -> str:
     if not names:
         return ""
     listed = ", ".join(dict.fromkeys(names))
-    return f" Not judged: {len(names)} of {len(checked)} ({listed})."
+    return Message(
+        " Not judged: {number} of {number_2} ({listed}).", number=len(names), number_2=len(checked), listed=listed
+    )
 
 
 def _failure(worst: DesignCheck, count: str) -> str:
     """Return the sentence about a design that fails; of what holds the slab the reason in full."""
     if worst.foundation:
-        return f"FOUNDATION FAILS ({count}): {worst.name}: {worst.words}."
+        return Message(
+            "FOUNDATION FAILS ({count}): {name}: {text}.", count=count, name=Name(worst.name), text=worst.words
+        )
     used = worst.utilisation
-    times = f"{worst.name}, {used:.3g} times its limit; " if used is not None and not worst.least else ""
-    return f"DESIGN FAILS: {times}{count}."
+    times = (
+        Message("{name}, {used:.3g} times its limit; ", name=Name(worst.name), used=used)
+        if used is not None and not worst.least
+        else ""
+    )
+    return Message("DESIGN FAILS: {times}{count}.", times=times, count=count)
 
 
 def _order(check: DesignCheck) -> tuple[int, bool, bool, float]:

@@ -20,6 +20,7 @@ from groundslab.design.demands.perimeters import outline
 from groundslab.design.demands.support_forces import NOTHING, pull_in_part, thirds
 from groundslab.fem.mesh import sides_on_boundary
 from groundslab.geometry.plan import FLAT
+from groundslab.messages import Message, Name
 from groundslab.model.loads.acting import LineForce, PointForce
 from groundslab.model.loads.load_cases import SERVICEABILITY
 from groundslab.model.model import Model
@@ -36,12 +37,12 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
     """Yield which supports have no size, that supported edges are not checked, and how much they hold down."""
     model = combined.model
     bare = [
-        support.name or f"support {number}"
+        support.name or Message("support {number}", number=number)
         for number, support in enumerate(model.supports, start=1)
         if not isinstance(support, LineSupport) and support.diameter is None
     ]
     if bare and model.reinforcement is not None:
-        words = f"punching over {some(bare)} is not checked, as they have no diameter"
+        words = Message("punching over {names} is not checked, as they have no diameter", names=some(bare))
         yield DesignCheck(PUNCHING, "not checked", words)
     if not _has_held_edges(model):
         return
@@ -50,14 +51,22 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
     parts = list(_pulls_in_part(results))
     pull, worst = max(pulls, key=lambda each: each[0], default=(0.0, None))
     if worst is not None and pull > NOTHING * abs(worst.certificate.load):
-        words = f'supported edges hold the plate down with {pull / 1e3:.4g} kN in "{worst.combination}"'
+        words = Message(
+            'supported edges hold the plate down with {pull:.4g kN} in "{combination}"',
+            pull=pull / 1e3,
+            combination=Name(worst.combination),
+        )
         yield not_judged(HELD, HELD_EDGE, words, combination=worst.combination)
     elif parts and max(parts)[0] > 0:
         pull, name = max(parts)
-        words = f'supported edges hold the plate down in part, with {pull / 1e3:.4g} kN in "{name}"'
+        words = Message(
+            'supported edges hold the plate down in part, with {pull:.4g kN} in "{name}"',
+            pull=pull / 1e3,
+            name=Name(name),
+        )
         yield not_judged(HELD, HELD_EDGE, words, combination=name)
     elif tilting := [result.combination for result in results if _tilts_without_edges(result)]:
-        words = f"without its supported edges the plate tilts in {some(tilting)}"
+        words = Message("without its supported edges the plate tilts in {names}", names=some(tilting))
         yield not_judged(HELD, HELD_EDGE, words, combination=tilting[0])
     else:
         yield DesignCheck(HELD, "not checked", "what supported edges of the plate carry is not checked")

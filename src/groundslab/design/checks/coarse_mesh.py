@@ -11,6 +11,7 @@ from collections.abc import Iterator
 from groundslab.accuracy.resolution import find_unresolved
 from groundslab.design.basis.check import DesignCheck
 from groundslab.design.basis.combinations import solved_results
+from groundslab.messages import Message
 from groundslab.model.design.floors import TR34Floor
 from groundslab.results.results import Results
 
@@ -26,9 +27,11 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
     for result in solved_results(combined):
         small = find_unresolved(result)
         if small is not None:
-            words = (
-                f"a footprint of {small.footprint:.3g} m in elements of {small.element:.3g} m: "
-                "moments and shear forces there are too small"
+            words: str = Message(
+                "a footprint of {footprint:.3g m} in elements of {element:.3g m}: moments and shear forces there "
+                "are too small",
+                footprint=small.footprint,
+                element=small.element,
             )
         elif not result.mesh_plan.has_coarser:
             words = "the mesh has too few elements for its discretization error to be known"

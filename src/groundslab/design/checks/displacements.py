@@ -16,6 +16,7 @@ from groundslab.arrays import Array
 from groundslab.design.basis.check import DesignCheck
 from groundslab.design.basis.combinations import solved_results
 from groundslab.design.by_plate import split_by_plate
+from groundslab.messages import Message, Name
 from groundslab.results.results import CombinationResult, Results
 
 NAME = "small displacements"
@@ -51,9 +52,12 @@ def _deflection(result: CombinationResult) -> _Largest:
     h, _ = result.elements.at_nodes(plate)
     off = np.abs(_off_plane(plate.nodes, plate.settlement, plate.area))
     node = int(np.argmax(off / h))
-    words = (
-        f'"{result.combination}" bends the slab off a plane by {1e3 * off[node]:.3g} mm, more than half its thickness '
-        f"of {1e3 * h[node]:.3g} mm: membrane forces, which are left out, carry a part of the loads"
+    words = Message(
+        '"{combination}" bends the slab off a plane by {off:.3g mm}, more than half its thickness of '
+        "{h:.3g mm}: membrane forces, which are left out, carry a part of the loads",
+        combination=Name(result.combination),
+        off=1e3 * off[node],
+        h=1e3 * h[node],
     )
     return _Largest(float(off[node] / (OF_THICKNESS * h[node])), _place(plate.nodes[node]), result.combination, words)
 
@@ -63,9 +67,12 @@ def _slope(result: CombinationResult) -> _Largest:
     plate = result.plate
     slope = np.hypot(plate.rotation_x, plate.rotation_y)
     node = int(np.argmax(slope))
-    words = (
-        f'"{result.combination}" gives the slab a slope of {slope[node]:.3g}, more than {SLOPE:g}: membrane forces, '
-        "which are left out, carry a part of the loads"
+    words = Message(
+        '"{combination}" gives the slab a slope of {slope:.3g}, more than {slope_2:g}: membrane forces, '
+        "which are left out, carry a part of the loads",
+        combination=Name(result.combination),
+        slope=slope[node],
+        slope_2=SLOPE,
     )
     return _Largest(float(slope[node] / SLOPE), _place(plate.nodes[node]), result.combination, words)
 

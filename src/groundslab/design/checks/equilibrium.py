@@ -20,6 +20,7 @@ from groundslab.design.basis.combinations import solved_results, ultimate_result
 from groundslab.design.by_plate import results_by_plate
 from groundslab.design.demands.loads import column_loads
 from groundslab.design.demands.perimeters import outline
+from groundslab.messages import Message, Name, joined
 from groundslab.model.loads.load_cases import Combination
 from groundslab.results.fields import place_of
 from groundslab.results.results import CombinationResult, Results
@@ -49,14 +50,20 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
     if not combined.model.contact.tensionless:
         yield from _pulling_ground(combined)
     if combined.unsolved:
-        yield not_judged("unsolved combinations", UNSOLVED, f"no certified result of {some(list(combined.unsolved))}")
+        yield not_judged(
+            "unsolved combinations",
+            UNSOLVED,
+            Message("no certified result of {names}", names=some(list(combined.unsolved))),
+        )
 
 
 def _failure(combined: Results, combination: Combination) -> DesignCheck:
     """Return the check that a combination without equilibrium fails, with the reason."""
     name, clause = _CHECKS.get(combination.limit_state, _ANY)
     model = combined.model
-    words = f'none in "{combination.name}": {combined.refused[combination.name]}'
+    words = Message(
+        'none in "{name}": {refused}', name=Name(combination.name), refused=combined.refused[combination.name]
+    )
     if model.cases and not model.combinations and model.combine is None:
         words += "; each load case is solved by itself, as there are neither [[combinations]] nor [combine]"
     numbers = _uplift(combined, [combination]) if combination.limit_state == "uplift" else {}
@@ -70,16 +77,20 @@ def _balanced(combined: Results, made: list[Combination]) -> DesignCheck:
     solved = [combination for combination in made if combination.name in combined.results]
     numbers = _uplift(combined, solved) if made[0].limit_state == "uplift" else {}
     names = [combination.name for combination in solved]
-    words = f"all {len(made)} combinations are in equilibrium"
+    words: str = Message("all {number} combinations are in equilibrium", number=len(made))
     if len(made) == 1:
         words = "the combination is in equilibrium"
     if len(solved) < len(made):
-        words = f"{len(solved)} of {len(made)} combinations are in equilibrium, the others have no certified result"
+        words = Message(
+            "{number} of {number_2} combinations are in equilibrium, the others have no certified result",
+            number=len(solved),
+            number_2=len(made),
+        )
     status: Status = "no failure found"
     if numbers and numbers["demand"] > numbers["resistance"] * (1 + ROUNDING):
         status, words = "fails", "actions upwards exceed those downwards"
     elif lost := [result.combination for result in _glued(combined) if result.combination in names and _lost(result)]:
-        words = f"only ground that pulls at the plate, to which it is glued, balances {some(lost)}"
+        words = Message("only ground that pulls at the plate, to which it is glued, balances {names}", names=some(lost))
         if combined.model.supports or combined.model.plates:
             return not_judged(name, GLUED, words, clause=clause, foundation=True)
         status, numbers = "fails", numbers or {"combination": lost[0]}
@@ -130,15 +141,19 @@ def _pulling_ground(combined: Results) -> Iterator[DesignCheck]:
     plate = worst.plate
     k = int(np.argmin(plate.pressure))
     share = float(plate.area[plate.contact_force < 0].sum() / plate.area.sum())
-    words = (
-        f'in "{worst.combination}" the ground pulls at {100 * share:.3g} % of the area, with up to '
-        f"{-plate.pressure[k] / 1e3:.4g} kPa at ({plate.nodes[k, 0]:.3f}, {plate.nodes[k, 1]:.3f}) m"
+    words = Message(
+        'in "{combination}" the ground pulls at {share:.3g} % of the area, with up to {pressure:.4g kPa} '
+        "at {place:.3f m}",
+        combination=Name(worst.combination),
+        share=100 * share,
+        pressure=-plate.pressure[k] / 1e3,
+        place=plate.nodes[k],
     )
     held = combined.model.supports or combined.model.plates
     status: Status = "fails" if lost and not held else "attention"
     more = "only that balances the loads" if status == "fails" else GLUED.do
     yield DesignCheck(
-        "ground in tension", status, f"{words}; {more}", combination=worst.combination,
+        "ground in tension", status, joined((words, more), "; "), combination=worst.combination,
         place=place_of(plate.nodes, k), foundation=True,
     )  # fmt: skip
 
@@ -188,10 +203,22 @@ def _steps(parts: Sequence[_Part], up: float, down: float) -> Iterator[Step]:
     for number, part in enumerate((part for part in parts if part.design), start=1):
         way, letter = ("upwards", "U") if part.up else ("downwards", "G")
         force = abs(part.force) / MEGA
-        yield Step(f'vertical force of "{part.case}", {way}', f"{letter}_{number}", force, "MN")
+        yield Step(
+            Message('vertical force of "{case}", {way}', case=Name(part.case), way=way),
+            f"{letter}_{number}",
+            force,
+            "MN",
+        )
         yield Step("its factor", f"gamma_{number}", abs(part.factor), clause="2.4.7.4")
         made[part.up].append(f"gamma_{number} * {letter}_{number}")
     for is_up, symbol, words, value in ((True, "V_dst", "destabilizing", up), (False, "G_stb", "stabilizing", down)):
-        yield Step(f"{words} force", symbol, value, "MN", " + ".join(made[is_up]) or "0", "2.4.7.4(1), 2.8")
+        yield Step(
+            Message("{actions} force", actions=words),
+            symbol,
+            value,
+            "MN",
+            " + ".join(made[is_up]) or "0",
+            "2.4.7.4(1), 2.8",
+        )
     if down:
         yield Step("share used", "eta", up / down, "", "V_dst / G_stb", "2.4.7.4(1), 2.8")

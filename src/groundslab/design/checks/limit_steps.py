@@ -12,6 +12,7 @@ import numpy as np
 from groundslab.arrays import Array
 from groundslab.design.basis.calculation import Step
 from groundslab.design.tilt import AreaMeans, Sag
+from groundslab.messages import Message, Name
 from groundslab.results.fields import place_of
 from groundslab.results.mesh_results import PlateResult
 
@@ -40,15 +41,15 @@ def of_difference(plate: PlateResult) -> Iterator[Step]:
     """Yield the largest less the smallest settlement of a plate."""
     w = plate.settlement
     most, least = int(np.argmax(w)), int(np.argmin(w))
-    yield Step(f"largest settlement{_at(plate.nodes, most)}", "w_1", float(w[most]) * _MM, "mm")
-    yield Step(f"smallest settlement{_at(plate.nodes, least)}", "w_2", float(w[least]) * _MM, "mm")
+    yield Step(Message("largest settlement{at}", at=_at(plate.nodes, most)), "w_1", float(w[most]) * _MM, "mm")
+    yield Step(Message("smallest settlement{at}", at=_at(plate.nodes, least)), "w_2", float(w[least]) * _MM, "mm")
     yield Step("difference", "Delta_w", float(np.ptp(w)) * _MM, "mm", "w_1 - w_2")
 
 
 def _at(nodes: Array, node: int) -> str:
     """Return where a node is, in words."""
     x, y = place_of(nodes, node)
-    return f", at ({x:.3f}, {y:.3f}) m"
+    return Message(", at {place:.3f m}", place=(x, y))
 
 
 def of_tilt(means: AreaMeans, slope: tuple[float, float]) -> Iterator[Step]:
@@ -78,9 +79,9 @@ def of_distortion(
     """Yield the angular distortion between two columns, given their x, y and settlements [m] by their names."""
     yield from _plane(means, slope)
     for n, (name, (x, y, w)) in enumerate(ends.items(), 1):
-        yield Step(f"x of {name}", f"x_{n}", x, "m")
-        yield Step(f"y of {name}", f"y_{n}", y, "m")
-        yield Step(f"settlement at {name}", f"w_{n}", w * _MM, "mm")
+        yield Step(Message("x of {name}", name=Name(name)), f"x_{n}", x, "m")
+        yield Step(Message("y of {name}", name=Name(name)), f"y_{n}", y, "m")
+        yield Step(Message("settlement at {name}", name=Name(name)), f"w_{n}", w * _MM, "mm")
     (x_1, y_1, w_1), (x_2, y_2, w_2) = ends.values()
     off = w_2 - w_1 - (slope[0] * (x_2 - x_1) + slope[1] * (y_2 - y_1))
     of_plane = "w_2 - w_1 - (omega_x * (x_2 - x_1) + omega_y * (y_2 - y_1))"
@@ -94,10 +95,10 @@ def of_distortion(
 def of_sag(sag: Sag) -> Iterator[Step]:
     """Yield the deflection ratio between two columns."""
     (first, second), (w_1, w_2, w) = sag.names, sag.settlements
-    yield Step(f"settlement at {first}", "w_1", w_1 * _MM, "mm")
-    yield Step(f"settlement at {second}", "w_2", w_2 * _MM, "mm")
+    yield Step(Message("settlement at {first}", first=first), "w_1", w_1 * _MM, "mm")
+    yield Step(Message("settlement at {second}", second=second), "w_2", w_2 * _MM, "mm")
     yield Step("distance", "l", sag.length, "m")
-    yield Step(f"place between both, as a share of the way from {first}", "xi", sag.along)
+    yield Step(Message("place between both, as a share of the way from {first}", first=first), "xi", sag.along)
     yield Step("settlement there", "w", w * _MM, "mm")
     line = (1 - sag.along) * w_1 + sag.along * w_2
     yield Step("settlement of the straight line there", "w_l", line * _MM, "mm", "(1 - xi) * w_1 + xi * w_2")

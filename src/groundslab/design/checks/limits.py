@@ -24,6 +24,7 @@ from groundslab.design.by_plate import results_by_plate
 from groundslab.design.checks import limit_steps
 from groundslab.design.demands.edge_strip import spread_edge_force, strip_width
 from groundslab.design.tilt import area_means, deflections_between, settlement_differences, tilt
+from groundslab.messages import Message, Name, quantity
 from groundslab.model.loads.load_cases import SERVICEABILITY
 from groundslab.model.plates.region import PlateRegion
 from groundslab.results.fields import extreme, extreme_node, place_of
@@ -126,7 +127,7 @@ def _distortion(results: CombinationResult) -> Demand | None:
         }
         first, second = ends
         steps = partial(_distortion_steps, plate, ends)
-        demands.append(Demand(float(differences.relative[worst]), f"{first} - {second}", columns[second], steps))
+        demands.append(Demand(float(differences.relative[worst]), Name(f"{first} - {second}"), columns[second], steps))
     return _greatest(demands)
 
 
@@ -142,7 +143,7 @@ def _deflection(results: CombinationResult) -> Demand | None:
         sag = max(deflections_between(plate, columns), key=lambda each: each.ratio)
         (x0, y0), (x1, y1) = (columns[name] for name in sag.names)
         middle = (x0 + x1) / 2, (y0 + y1) / 2
-        demands.append(Demand(sag.ratio, " - ".join(sag.names), middle, partial(limit_steps.of_sag, sag)))
+        demands.append(Demand(sag.ratio, Name(" - ".join(sag.names)), middle, partial(limit_steps.of_sag, sag)))
     return _greatest(demands)
 
 
@@ -169,7 +170,7 @@ def _pressure(results: CombinationResult) -> Demand:
         judged = find_limits(results.solved_model, results.plate).pressures[node]
         return Demand(value, "", place, partial(limit_steps.of_pressure, value), "" if judged else NOT_JUDGED)
     b = strip_width(results)
-    aside = f"with {by_edge / 1e3:.4g} kPa of the edge's line force over {b:.3g} m"
+    aside = Message("with {by_edge:.4g kPa} of the edge's line force over {b:.3g m}", by_edge=by_edge / 1e3, b=b)
     return Demand(value, "", place, partial(limit_steps.of_pressure, alone, (by_edge * b, b)), aside)
 
 
@@ -247,14 +248,22 @@ def _check(key: str, allowed: float, results: list[CombinationResult], missing: 
     value, of, place = demand.value * limit.scale, demand.of, demand.place
     holds = value >= allowed if limit.least else value <= allowed
     sign = (">=" if holds else "<") if limit.least else ("<=" if holds else ">")
-    where = f" at ({place[0]:.3f}, {place[1]:.3f}) m" if place is not None else ""
-    about = f"{of or demand.aside}: " if of or demand.aside else ""
+    where = Message(" at {place:.3f m}", place=place) if place is not None else ""
+    about = Message("{of}: ", of=of or demand.aside) if of or demand.aside else ""
     error = scaled(limit.error_of(governing), limit.scale)
     compared = limit_steps.against(key, value, (allowed, limit.unit), error, least=limit.least)
     return DesignCheck(
         limit.name,
         "no failure found" if holds else "fails",
-        f'{about}{value:.4g} {sign} {allowed:.4g} {limit.unit}{where} in "{governing.combination}"',
+        Message(
+            '{about}{value} {sign} {allowed}{where} in "{combination}"',
+            about=about,
+            value=quantity(value, f"({limit.unit})" if limit.unit else ""),
+            sign=sign,
+            allowed=quantity(allowed, limit.unit),
+            where=where,
+            combination=Name(governing.combination),
+        ),
         of=of,
         demand=value,
         resistance=allowed,

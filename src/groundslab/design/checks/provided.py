@@ -14,6 +14,7 @@ from groundslab.design.basis.demand_errors import greatest_moments
 from groundslab.design.basis.design_code import DesignCode, no_rule
 from groundslab.design.codes import code_of
 from groundslab.design.demands.design_moments import design_moments
+from groundslab.messages import Clause, Message, Name
 from groundslab.model.design.laid_bars import laid_bars
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.fields import LAYERS
@@ -46,12 +47,26 @@ def _area(worst: required_bars.Need, code: DesignCode, error: float | None) -> D
     name, clause, laid = worst.layer.replace("_", " "), code.clauses.bars, worst.laid
     assert laid is not None
     enough = worst.area <= laid
-    where = f" at ({worst.place[0]:.3f}, {worst.place[1]:.3f}) m" if worst.place is not None else ""
-    by = f' in "{worst.combination}", by {worst.governed_by}' if worst.combination is not None else ""
+    where = Message(" at {place:.3f m}", place=worst.place) if worst.place is not None else ""
+    by = (
+        Message(
+            ' in "{combination}", by {governed_by}', combination=Name(worst.combination), governed_by=worst.governed_by
+        )
+        if worst.combination is not None
+        else ""
+    )
     return DesignCheck(
-        f"bars at the {name}",
+        Message("bars at the {name}", name=Name(name)),
         "no failure found" if enough else "fails",
-        f"{worst.area * CM2:.4g} {'<=' if enough else '>'} {laid * CM2:.4g} cm2/m{where}{by} ({clause})",
+        Message(
+            "{area:.4g (cm2/m)} {sign} {laid:.4g cm2/m}{where}{by} ({clause})",
+            area=worst.area * CM2,
+            sign="<=" if enough else ">",
+            laid=laid * CM2,
+            where=where,
+            by=by,
+            clause=Clause(clause),
+        ),
         of=name,
         demand=worst.area * CM2 if np.isfinite(worst.area) else None,
         resistance=laid * CM2,

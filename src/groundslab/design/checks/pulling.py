@@ -9,6 +9,7 @@ from groundslab.design.basis.combinations import ultimate_results
 from groundslab.design.basis.wall_ends import forces_at_ends
 from groundslab.design.demands.perimeter_loads import punching_columns, punching_piles, rounding
 from groundslab.design.demands.zones.thicker_zones import zone_forces
+from groundslab.messages import Message
 from groundslab.results.results import Results
 
 
@@ -32,5 +33,9 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
 def _tied(many: str, names: list[str]) -> Iterator[DesignCheck]:
     """Yield that some are taken as tied, if there are any."""
     if names:
-        words = f"{many} that pull ({some(names)}) are taken as tied to the far face of the slab, which is not checked"
-        yield DesignCheck(f"ties of {many}", "not checked", words)
+        words = Message(
+            "{many} that pull ({names}) are taken as tied to the far face of the slab, which is not checked",
+            many=many,
+            names=some(names),
+        )
+        yield DesignCheck(Message("ties of {many}", many=many), "not checked", words)

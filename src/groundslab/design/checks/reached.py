@@ -27,6 +27,7 @@ from groundslab.design.demands.support_forces import (
     thirds,
     utilization,
 )
+from groundslab.messages import Message, Name, joined, quantity
 from groundslab.model.loads.clipping import Clipped, find_clipped_loads
 from groundslab.model.loads.load_cases import SERVICEABILITY, STRENGTH
 from groundslab.model.plates.joints import ElasticJoint
@@ -85,14 +86,33 @@ def _resistance(described: AnySupport, name: str, used: Mapping[str, Utilization
     one = used[governing]
     unit = "kN/m" if isinstance(described, LineSupport) else "kN"
     force, limit = one.force / 1e3, one.limit / 1e3
-    given = f"{described.limit_is} of {limit * one.factor:.4g} {unit}"
-    most = f"its {given}" if one.factor == 1 else f"{limit:.4g} {unit}, its {given} over {one.factor:g},"
+    given = Message("{kind} of {limit}", kind=described.limit_is, limit=quantity(limit * one.factor, unit))
+    most = (
+        Message("its {given}", given=given)
+        if one.factor == 1
+        else Message(
+            "{limit}, its {given} over {factor:g},", limit=quantity(limit, unit, ".4g"), given=given, factor=one.factor
+        )
+    )
     status: Status = "no failure found"
-    words = f'{name}: {force:.4g} {unit} is {one.share:.3g} times {most} in "{governing}"'
+    words = Message(
+        '{name}: {force} is {share:.3g} times {most} in "{governing}"',
+        name=Name(name),
+        force=quantity(force, unit, ".4g"),
+        share=one.share,
+        most=most,
+        governing=Name(governing),
+    )
     if reached:
         status = "attention" if described.limit_is == "ultimate resistance" else "fails"
         if not characteristic:
-            words = f"{name}: {force:.4g} {unit} reaches {most} in {some(reached)}"
+            words = Message(
+                "{name}: {force} reaches {most} in {names}",
+                name=Name(name),
+                force=quantity(force, unit, ".4g"),
+                most=most,
+                names=some(reached),
+            )
     pile = isinstance(described, Pile)
     return DesignCheck(
         PILE if pile else SUPPORT,
@@ -140,13 +160,26 @@ def _without_resistance(results: list[CombinationResult]) -> Iterator[DesignChec
         for way, sign, limit in zip(("compression", "tension"), (1, -1), limits, strict=True):
             force, combination = max((sign * result.supports[number].total, result.combination) for result in results)
             if limit == np.inf and force > NOTHING * max(abs(result.certificate.load) for result in results):
-                half.append((f'{name} {force / 1e3:.4g} kN in {way} in "{combination}"', combination))
+                half.append(
+                    (
+                        Message(
+                            '{name} {force:.4g kN} in {way} in "{combination}"',
+                            name=Name(name),
+                            force=force / 1e3,
+                            way=way,
+                            combination=Name(combination),
+                        ),
+                        combination,
+                    )
+                )
     if bare:
-        words = f"the resistance of {some(bare)} in the ground is not checked, as they have no limit"
+        words = Message(
+            "the resistance of {names} in the ground is not checked, as they have no limit", names=some(bare)
+        )
         yield DesignCheck(WITHOUT, "not checked", words, clause="EN 1997-1 7.6.2, 7.6.3")
     if half:
-        listed = "; ".join(words for words, _ in half[:MOST_NAMED]) + (" ..." if len(half) > MOST_NAMED else "")
-        words = f"without a limit that way, {listed}"
+        listed = joined((words for words, _ in half[:MOST_NAMED]), "; ") + (" ..." if len(half) > MOST_NAMED else "")
+        words = Message("without a limit that way, {listed}", listed=listed)
         yield not_judged(WITHOUT, NO_LIMIT, words, clause="EN 1997-1 7.6.2, 7.6.3", combination=half[0][1])
 
 
@@ -159,11 +192,21 @@ def _holding_down(results: list[CombinationResult]) -> Iterator[DesignCheck]:
             continue
         force, worst = max(((_pull(described, result, number), result) for result in results), key=lambda pull: pull[0])
         if force > NOTHING * max(abs(result.certificate.load) for result in results):
-            pulls.append((force, f'{worst.supports[number].name} {force / 1e3:.4g} kN in "{worst.combination}"'))
+            pulls.append(
+                (
+                    force,
+                    Message(
+                        '{name} {force:.4g kN} in "{combination}"',
+                        name=Name(worst.supports[number].name),
+                        force=force / 1e3,
+                        combination=Name(worst.combination),
+                    ),
+                )
+            )
     if pulls:
         words = [each for _, each in sorted(pulls, reverse=True)]
-        listed = "; ".join(words[:MOST_NAMED]) + (" ..." if len(words) > MOST_NAMED else "")
-        yield not_judged(ANCHORED, NO_LIMIT, f"what holds the plate down has no limit, {listed}")
+        listed = joined(words[:MOST_NAMED], "; ") + (" ..." if len(words) > MOST_NAMED else "")
+        yield not_judged(ANCHORED, NO_LIMIT, Message("what holds the plate down has no limit, {listed}", listed=listed))
 
 
 def _pull(described: AnySupport, results: CombinationResult, number: int) -> float:
@@ -197,12 +240,16 @@ def _one_sided(
     if not lifted:
         return
     most = max(lifted, key=lambda combination: shares[combination])
-    part = f"over {100 * shares[most]:.3g} % of its length " if isinstance(described, LineSupport) else ""
+    part = (
+        Message("over {shares:.3g} % of its length ", shares=100 * shares[most])
+        if isinstance(described, LineSupport)
+        else ""
+    )
     gap = getattr(described, "gap", 0.0)
     slack = described.acts == "in tension"
     what = "its gap does not close" if gap else "it is slack" if slack else "the plate lifts off"
     lifted.sort(key=lambda combination: combination != most)
-    words = f"{name}: {what} {part}in {some(lifted)}"
+    words = Message("{name}: {what} {part}in {names}", name=Name(name), what=what, part=part, names=some(lifted))
     status: Status = "no failure found" if gap or slack else "attention"
     yield DesignCheck(ONE_SIDED, status, words, of=name, combination=most)
 
@@ -224,18 +271,28 @@ def _joints(results: list[CombinationResult]) -> Iterator[DesignCheck]:
         forces = {result.combination: result.joints[number] for result in results}
         governing = max(forces, key=lambda combination: float(np.abs(forces[combination].step).max()))
         closed = [combination for combination, force in forces.items() if (np.abs(force.step) > joint.gap).any()]
-        words = f"{joint.title}: {_play(forces[governing], joint.gap, closed)}"
+        words = Message("{title}: {play}", title=joint.title, play=_play(forces[governing], joint.gap, closed))
         yield DesignCheck(PLAY, "no failure found", words, of=joint.title, combination=governing)
 
 
 def _play(forces: JointResult, gap: float, closed: list[str]) -> str:
     """Return the state of a joint's play in words, from its forces where the step across it is largest."""
-    play, step = f"its play of {gap * 1e3:.4g} mm", f"the largest step is {np.abs(forces.step).max() * 1e3:.4g} mm"
+    play, step = (
+        Message("its play of {gap:.4g mm}", gap=gap * 1e3),
+        Message("the largest step is {value:.4g mm}", value=np.abs(forces.step).max() * 1e3),
+    )
     if not closed:
-        return f"{play} does not close, {step}"
+        return Message("{play} does not close, {step}", play=play, step=step)
     share = float(forces.length @ (np.abs(forces.step) > gap) / forces.length.sum())
     q = np.abs(forces.force / forces.length).max() / 1e3
-    return f"{play} closes over {100 * share:.3g} % of its length in {some(closed)}; {step}, with {q:.4g} kN/m"
+    return Message(
+        "{play} closes over {share:.3g} % of its length in {names}; {step}, with {q:.4g kN/m}",
+        play=play,
+        share=100 * share,
+        names=some(closed),
+        step=step,
+        q=q,
+    )
 
 
 def _ground(results: list[CombinationResult]) -> Iterator[DesignCheck]:
@@ -247,12 +304,21 @@ def _ground(results: list[CombinationResult]) -> Iterator[DesignCheck]:
     yielding = [combination for combination, share in shares.items() if share > 0]
     governing = max(results, key=lambda result: (shares[result.combination], float(result.plate.pressure.max())))
     largest = min(float(governing.plate.pressure.max()), limit) if not yielding else limit
-    words = f'{largest / 1e3:.4g} kPa is {largest / limit:.3g} times the limit pressure in "{governing.combination}"'
+    words = Message(
+        '{largest:.4g kPa} is {largest_2:.3g} times the limit pressure in "{combination}"',
+        largest=largest / 1e3,
+        largest_2=largest / limit,
+        combination=Name(governing.combination),
+    )
     if yielding:
         share = shares[governing.combination]
-        words = (
-            f"the ground yields at {limit / 1e3:.4g} kPa under {100 * share:.3g} % of the plate's area in "
-            f'"{governing.combination}"; it yields in {some(yielding)}'
+        words = Message(
+            "the ground yields at {limit:.4g kPa} under {share:.3g} % of the plate's area in "
+            '"{combination}"; it yields in {names}',
+            limit=limit / 1e3,
+            share=100 * share,
+            combination=Name(governing.combination),
+            names=some(yielding),
         )
     yield DesignCheck(
         GROUND,
@@ -285,5 +351,5 @@ def _cut_off(combined: Results) -> Iterator[DesignCheck]:
 
 def _cut_off_there(clipped: list[Clipped]) -> DesignCheck:
     """Return that parts of some loads do not act, all for the same reason."""
-    more = f"; and {len(clipped) - MOST_CUT} more loads" if len(clipped) > MOST_CUT else ""
-    return DesignCheck(CUT_OFF, "attention", "; ".join(part.words() for part in clipped[:MOST_CUT]) + more)
+    more = Message("; and {number} more loads", number=len(clipped) - MOST_CUT) if len(clipped) > MOST_CUT else ""
+    return DesignCheck(CUT_OFF, "attention", joined((part.words() for part in clipped[:MOST_CUT]), "; ") + more)

@@ -18,6 +18,7 @@ from groundslab.design.basis.demand_errors import error_of_ratio, scaled
 from groundslab.design.basis.design_code import DesignCode, no_rule
 from groundslab.design.checks import pulling
 from groundslab.design.codes import code_of
+from groundslab.messages import Clause, Message, Name
 from groundslab.model.loads.load_cases import STRENGTH
 from groundslab.model.structure.beams import GivenSection
 from groundslab.model.supports import Pile
@@ -31,7 +32,7 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
         yield DesignCheck("strength", "not checked", "strength was not checked: the case has no [reinforcement]")
         return
     if not ultimate_results(combined):
-        words = f"DESIGN NOT CHECKED: {why_none(combined, STRENGTH, 'ultimate combination')}"
+        words = Message("DESIGN NOT CHECKED: {why_none}", why_none=why_none(combined, STRENGTH, "ultimate combination"))
         yield DesignCheck("strength", "not checked", words)
         return
     code = code_of(steel)
@@ -62,7 +63,9 @@ def _beams(combined: Results, code: DesignCode) -> Iterator[DesignCheck]:
         return
     given = [beam.name for beam in combined.model.beams if isinstance(beam.section, GivenSection)]
     if given:
-        yield not_judged("beams by their properties", GIVEN_SECTION, f"the strength of {some(given)}")
+        yield not_judged(
+            "beams by their properties", GIVEN_SECTION, Message("the strength of {names}", names=some(given))
+        )
     needs = beam_bars.beam_needs(combined, steel)
     if not needs:
         return
@@ -76,14 +79,24 @@ def _beams(combined: Results, code: DesignCode) -> Iterator[DesignCheck]:
     failing = [need for need in bars if np.isinf(need.area)]
     if not failing:
         most = max(bars, key=lambda need: need.area)
-        words = f"they can be reinforced; most at the {most.what} of {most.beam}, {most.area * 1e4:.4g} cm2"
+        words = Message(
+            "they can be reinforced; most at the {what} of {beam}, {area:.4g cm2}",
+            what=most.what,
+            beam=most.beam,
+            area=most.area * 1e4,
+        )
         yield DesignCheck("beams", "no failure found", words, clause=clause)
         return
     worst = failing[0]
-    words = (
-        f"the concrete of {len({need.beam for need in failing})} of them is too weak for any reinforcement; "
-        f"{worst.beam}, {worst.what}, {worst.way:.2f} m from its start: {worst.force / 1e3:.4g} kNm in "
-        f'"{worst.combination}"'
+    words = Message(
+        "the concrete of {number} of them is too weak for any reinforcement; {beam}, {what}, {way:.2f m} "
+        'from its start: {force:.4g kNm} in "{combination}"',
+        number=len({need.beam for need in failing}),
+        beam=worst.beam,
+        what=worst.what,
+        way=worst.way,
+        force=worst.force / 1e3,
+        combination=Name(worst.combination),
     )
     yield DesignCheck("beams", "fails", words, of=worst.beam, combination=worst.combination, clause=clause)
 
@@ -99,16 +112,21 @@ def _walls(combined: Results, code: DesignCode) -> Iterator[DesignCheck]:
         error = error_of_ratio(
             (abs(need.force), need.borne, partial(wall_bars.error_of_force, combined, need)) for need in needs
         )
-        words = (
-            f"{abs(worst.force) / 1e3:.4g} kN in {worst.wall}, {worst.way:.2f} m from its start, use {worst.used:.3g} "
-            "of what its struts bear"
+        words: str = Message(
+            "{force:.4g kN} in {wall}, {way:.2f m} from its start, use {used:.3g} of what its struts bear",
+            force=abs(worst.force) / 1e3,
+            wall=worst.wall,
+            way=worst.way,
+            used=worst.used,
         )
         if worst.upright is None or worst.level is None:
             words += "; least bars of walls were not read"
         else:
-            words += (
-                f"; it needs at least {worst.upright * 1e4:.3g} cm2/m of bars upright and {worst.level * 1e4:.3g} "
-                "cm2/m level, both faces together"
+            words += Message(
+                "; it needs at least {upright:.3g cm2/m} of bars upright and {level:.3g cm2/m} level, both faces "
+                "together",
+                upright=worst.upright * 1e4,
+                level=worst.level * 1e4,
             )
         yield DesignCheck(
             "walls", "no failure found" if worst.used <= 1 else "fails", words, of=worst.wall,
@@ -123,16 +141,25 @@ def _webs(combined: Results, needs: list[beam_bars.BeamNeed], clause: str) -> De
     """Return whether the concrete of webs bears shear and torsion, with the links and bars along that these take."""
     worst = max((need for need in needs if need.what == "struts"), key=lambda need: need.area)
     V, T, used = abs(worst.force) / 1e3, worst.torsion / 1e3, worst.area
-    words = (
-        f"{V:.4g} kN with {T:.4g} kNm of torsion use {used:.3g} of what the web of {worst.beam} bears "
-        f"{worst.way:.2f} m from its start"
+    words = Message(
+        "{V:.4g kN} with {T:.4g kNm} of torsion use {used:.3g} of what the web of {beam} bears {way:.2f "
+        "m} from its start",
+        V=V,
+        T=T,
+        used=used,
+        beam=worst.beam,
+        way=worst.way,
     )
     if used <= 1:
         links, along = (
             next(need.area * 1e4 for need in needs if (need.what, need.beam) == (what, worst.beam))
             for what in ("links", "torsion")
         )
-        words += f"; it needs links of {links:.3g} cm2/m, and {along:.3g} cm2 of bars along it for torsion"
+        words += Message(
+            "; it needs links of {links:.3g cm2/m}, and {along:.3g cm2} of bars along it for torsion",
+            links=links,
+            along=along,
+        )
     return DesignCheck(
         "webs of beams", "no failure found" if used <= 1 else "fails", words, of=worst.beam, demand=used,
         resistance=1.0, combination=worst.combination, place=worst.place, clause=clause,
@@ -155,12 +182,18 @@ def _flanges(combined: Results, needs: list[beam_bars.BeamNeed], clause: str) ->
     worst = max(needs, key=lambda need: need.stress / need.limit)
     used = worst.stress / worst.limit
     error = _error(combined, [(need.stress, need.limit, need) for need in needs])
-    words = (
-        f"the shear between {worst.beam} and its flange, {worst.stress / 1e6:.3g} MPa {worst.way:.2f} m from its "
-        f"start, is {used:.3g} times what its concrete bears"
+    words = Message(
+        "the shear between {beam} and its flange, {stress:.3g MPa} {way:.2f m} from its start, is "
+        "{used:.3g} times what its concrete bears",
+        beam=worst.beam,
+        stress=worst.stress / 1e6,
+        way=worst.way,
+        used=used,
     )
     if used <= 1:
-        words += f"; it needs {worst.area * 1e4:.3g} cm2/m of bars across it, those of the slab among them"
+        words += Message(
+            "; it needs {area:.3g cm2/m} of bars across it, those of the slab among them", area=worst.area * 1e4
+        )
     return DesignCheck(
         "flanges", "no failure found" if used <= 1 else "fails", words, of=worst.beam, demand=worst.stress / 1e6,
         resistance=worst.limit / 1e6, unit="MPa", combination=worst.combination, place=worst.place, clause=clause,
@@ -182,8 +215,12 @@ def _bending(needs: list[required_bars.Need]) -> DesignCheck:
     if not failing:
         return DesignCheck("bending", "no failure found", "reinforcement can be designed everywhere")
     worst = max(failing, key=lambda need: need.fails)
-    share = f"{100 * worst.fails:.3g} % of the plate's area"
-    return DesignCheck("bending", "fails", f"the concrete is too weak for any reinforcement on {share}{_where(worst)}")
+    share = Message("{fails:.3g} % of the plate's area", fails=100 * worst.fails)
+    return DesignCheck(
+        "bending",
+        "fails",
+        Message("the concrete is too weak for any reinforcement on {share}", share=share) + _where(worst),
+    )
 
 
 def _compression(needs: list[required_bars.Need], clause: str) -> DesignCheck:
@@ -192,7 +229,11 @@ def _compression(needs: list[required_bars.Need], clause: str) -> DesignCheck:
     share = sum({need.section: need.links for need in needs}.values())
     if not share:
         return DesignCheck(name, "no failure found", "the concrete carries bending without bars in compression")
-    words = f"bars in compression, held by links ({clause}), are needed on {100 * share:.3g} % of the plate's area"
+    words = Message(
+        "bars in compression, held by links ({clause}), are needed on {share:.3g} % of the plate's area",
+        clause=Clause(clause),
+        share=100 * share,
+    )
     of_them = [need for need in needs if need.governed_by == required_bars.COMPRESSION]
     return DesignCheck(name, "attention", words + (_where(max(of_them, key=lambda need: need.area)) if of_them else ""))
 
@@ -202,8 +243,13 @@ def _where(need: required_bars.Need) -> str:
     assert need.place is not None
     assert need.moment is not None
     x, y = need.place
-    part = f", {required_bars.section_name(need.section)}" if need.section else ""
-    return (
-        f"; {need.layer.replace('_', ' ')}{part}: {need.moment / 1e3:.4g} kNm/m at ({x:.3f}, {y:.3f}) m"
-        f' in "{need.combination}", thickness {need.thickness:g} m'
+    part = Message(", {section}", section=required_bars.section_name(need.section)) if need.section else ""
+    return Message(
+        '; {layer}{part}: {moment:.4g kNm/m} at {place:.3f m} in "{combination}", thickness {thickness:g m}',
+        layer=need.layer.replace("_", " "),
+        part=part,
+        moment=need.moment / 1e3,
+        place=(x, y),
+        combination=Name(need.combination),
+        thickness=need.thickness,
     )

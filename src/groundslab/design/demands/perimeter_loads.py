@@ -23,6 +23,7 @@ from groundslab.fem import load_vectors
 from groundslab.fem.assembly import scatter
 from groundslab.fem.mesh import Mesh
 from groundslab.geometry.plan import FLAT
+from groundslab.messages import Message
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.model.model import Model
 from groundslab.model.plates.region import PlateRegion
@@ -194,7 +195,12 @@ def punching_piles(model: Model) -> tuple[PunchingForce, ...]:
     """Return the piles of a model, and the other point supports that have a diameter."""
     return tuple(
         PunchingForce(
-            Column(name=support.name or f"support {number}", x=support.x, y=support.y, diameter=support.diameter),
+            Column(
+                name=support.name or Message("support {number}", number=number),
+                x=support.x,
+                y=support.y,
+                diameter=support.diameter,
+            ),
             {},
             number - 1,
         )

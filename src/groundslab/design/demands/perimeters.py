@@ -21,8 +21,8 @@ from groundslab.errors import InputError, Issue
 from groundslab.fem.mesh import sides_on_boundary
 from groundslab.fem.shape_functions import lagrange
 from groundslab.geometry.places import same_place
-from groundslab.geometry.plan import format_place
 from groundslab.geometry.rectangles import direction_at, rectangle_at
+from groundslab.messages import Message
 from groundslab.results.mesh_results import PlateResult
 
 if TYPE_CHECKING:
@@ -201,7 +201,7 @@ def surroundings(plate: PlateResult, column: Footprint, within: float, openings:
     x0, y0, x1, y1 = plan.bounds
     rounding = same_place(x0, x1, y0, y1)
     if footprint.area == 0 or not plan.buffer(rounding).covers(footprint):
-        where = f"a column at {format_place(get_coordinates(footprint.centroid)[0])} m"
+        where = Message("a column at {center:at m}", center=get_coordinates(footprint.centroid)[0])
         raise InputError([Issue("column", where, "a footprint that lies on the plate")])
     a0, b0, a1, b1 = footprint.bounds
     reach = 3 * (within + max(a1 - a0, b1 - b0))
@@ -289,8 +289,8 @@ def perimeter_at(
     ring = _cut_off(around, regions[shortest], filled=True)[1] if opened else whole
     legs = outside(whole, around.shadow)
     if not total_length(legs) > around.rounding:
-        where = f"a column at {format_place(around.center)} m"
-        expected = f"some plate at {distance:g} m from it"
+        where = Message("a column at {center:at m}", center=around.center)
+        expected = Message("some plate at {distance:g m} from it", distance=distance)
         raise InputError([Issue("column", where, expected, "take a smaller distance")])
     setbacks = tuple(edge.setback for edge in stretched[shortest][0])
     return Perimeter(legs, whole, ring, inside, opened, setbacks, stretched[shortest][1], cut)

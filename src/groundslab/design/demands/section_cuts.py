@@ -12,7 +12,7 @@ from groundslab.design.demands.design_moments import wood_armer
 from groundslab.design.demands.line_traversal import ON_LINE, Pieces, interpolation, is_continuous, pieces
 from groundslab.errors import InputError, Issue
 from groundslab.fem.mesh import Mesh
-from groundslab.geometry.plan import format_place
+from groundslab.messages import Message
 from groundslab.results.fields import PLATE_FIELDS
 from groundslab.results.mesh_results import PlateResult
 
@@ -215,7 +215,11 @@ def _legs(points: Array) -> Array:
     """Return the legs (k - 1, 2, 2) of a polyline; InputError unless it has two different points in a row or more."""
     points = np.asarray(points, dtype=float)
     if points.ndim != 2 or points.shape[1:] != (2,) or len(points) < 2 or not np.isfinite(points).all():
-        found = f"an array of shape {points.shape}" if np.isfinite(points).all() else "places that are not finite"
+        found = (
+            Message("an array of shape {shape}", shape=points.shape)
+            if np.isfinite(points).all()
+            else "places that are not finite"
+        )
         raise InputError([Issue("points", found, "two or more places (x, y)")])
     ends = np.stack([points[:-1], points[1:]], axis=1)
     same = np.flatnonzero((ends[:, 0] == ends[:, 1]).all(axis=1))
@@ -231,8 +235,9 @@ def _on_plate(mesh: Mesh, ends: Array, where: str) -> Pieces:
     key = ends.tobytes()
     line = known[key] if key in known else known.setdefault(key, pieces(mesh, ends))
     if not len(line.low):
-        start, end = format_place(ends[0, 0]), format_place(ends[-1, 1])
-        found = f"a line from {start} to {end} m that does not meet the plate"
+        found = Message(
+            "a line from {start:at (m)} to {end:at m} that does not meet the plate", start=ends[0, 0], end=ends[-1, 1]
+        )
         raise InputError([Issue(where, found, "a line that crosses the plate")])
     return line
 

@@ -10,6 +10,7 @@ from collections.abc import Iterator
 from groundslab.design.basis.calculation import MEGA, Step
 from groundslab.design.en1997 import bearing
 from groundslab.design.en1997.bearing import FORMULAS, EffectiveArea, Soil
+from groundslab.messages import Message
 from groundslab.model.design.limits import SoilStrength
 
 _D3, _D4 = "annex D.3", "annex D.4"
@@ -85,7 +86,7 @@ def _area(base: EffectiveArea) -> Iterator[Step]:
 
 def _angle(words: str, symbol: str, degrees: float, factor: float, design: float) -> Iterator[Step]:
     """Yield an angle of friction [degrees], its partial factor, and the design angle [rad]."""
-    yield Step(f"angle of {words}", f"{symbol}_k", degrees, "degrees")
+    yield Step(Message("angle of {text}", text=words), f"{symbol}_k", degrees, "degrees")
     yield Step("partial factor of its tangent", "gamma_phi", factor, clause="2.4.6.2")
     formula = f"atan(tan({symbol}_k * pi / 180) / gamma_phi)"
     yield Step("design angle", symbol, design, "rad", formula, "2.4.6.2")

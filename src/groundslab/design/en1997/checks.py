@@ -21,6 +21,7 @@ from groundslab.design.demands.loads.column_loads import factors_of
 from groundslab.design.demands.perimeters import outline
 from groundslab.design.en1997 import bearing
 from groundslab.design.en1997.bearing_steps import bearing_steps, sliding_steps
+from groundslab.messages import Message, Name
 from groundslab.model.design.limits import SoilStrength
 from groundslab.model.loads.load_cases import STRENGTH
 from groundslab.results.results import CombinationResult, Results
@@ -65,7 +66,11 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
     if strength is None:
         most = max(results, key=_horizontal, default=None)
         if most is not None and (H := _horizontal(most)):
-            words = f'{H / 1e3:.4g} kN act horizontally in "{most.combination}", and the case has no [soil_strength]'
+            words: str = Message(
+                '{H:.4g kN} act horizontally in "{combination}", and the case has no [soil_strength]',
+                H=H / 1e3,
+                combination=Name(most.combination),
+            )
             yield not_judged("sliding", NO_LIMIT, words, combination=most.combination, clause=SLIDING)
         return
     if not results:
@@ -76,7 +81,7 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
     base = outline(results[0].plate)
     forces = [_forces(result) for result in results]
     kind = "D.4, drained" if soil.c_u is None else "D.3, undrained"
-    vertical = f"EN 1997-1 6.5.2, annex {kind}"
+    vertical = Message("EN 1997-1 6.5.2, annex {kind}", kind=kind)
 
     def bearing_resistance(force: _Forces, area: bearing.EffectiveArea) -> float:
         return bearing.bearing_resistance(area, soil, force.V, force.H) / strength.gamma_Rv
@@ -138,7 +143,14 @@ def _eccentricity(forces: list[_Forces], base: Polygon | MultiPolygon) -> Design
     used, asked = share(force), ""
     if used > 1:
         asked = ": loads are to be reviewed and the edge's place with its tolerance, 0.1 m (6.5.4)"
-    words = f'e {e:.3g} m is {e / edge:.3g} of the way to the edge in "{force.combination}", {most:.3g} may be{asked}'
+    words = Message(
+        'e {e:.3g m} is {e_2:.3g} of the way to the edge in "{combination}", {most:.3g} may be{asked}',
+        e=e,
+        e_2=e / edge,
+        combination=Name(force.combination),
+        most=most,
+        asked=asked,
+    )
     return DesignCheck(
         "eccentricity on the ground", "attention" if used > 1 else "no failure found", words, demand=e,
         resistance=edge * most, unit="m", clause="EN 1997-1 6.5.4(1)", combination=force.combination,
@@ -164,8 +176,24 @@ def _worst(rule: _Rule, forces: list[_Forces], base: Polygon | MultiPolygon) -> 
     used, R, force, area = max(map(ratio, forces), key=lambda ratio: ratio[0])
     # the resistance, too, follows from where the force acts
     error = error_of(force.results, lambda mesh: ratio(_forces(mesh))[0])
-    size = "" if area is None else f" on A' = {area.area:.3g} m2 ({area.width:.3g} x {area.length:.3g} m)"
-    words = f'{rule.demand(force) / 1e3:.0f} kN is {used:.3g} times {R / 1e3:.0f} kN{size} in "{force.combination}"'
+    size = (
+        ""
+        if area is None
+        else Message(
+            " on A' = {area:.3g m2} ({width:.3g (m)} x {length:.3g m})",
+            area=area.area,
+            width=area.width,
+            length=area.length,
+        )
+    )
+    words = Message(
+        '{demand:.0f kN} is {used:.3g} times {R:.0f kN}{size} in "{combination}"',
+        demand=rule.demand(force) / 1e3,
+        used=used,
+        R=R / 1e3,
+        size=size,
+        combination=Name(force.combination),
+    )
     return DesignCheck(
         rule.name,
         "fails" if used > 1 else "no failure found",

@@ -18,6 +18,7 @@ from groundslab.design.basis.combinations import solved_results, why_none
 from groundslab.design.basis.demand_errors import greatest_moments, scaled
 from groundslab.design.demands.design_moments import design_moments
 from groundslab.design.eurocode2.cracked_sections import Bars
+from groundslab.messages import Message, Name
 from groundslab.model.design.laid_bars import LaidBars, axis_of
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.fields import extreme_node, place_of
@@ -67,7 +68,7 @@ class BentBars:
     @property
     def where(self) -> str:
         """Return the place in words."""
-        return f"({self.place[0]:.3f}, {self.place[1]:.3f}) m"
+        return Message("{place:.3f m}", place=self.place)
 
 
 def bars_in_tension(
@@ -124,8 +125,17 @@ def check_stresses(
     yield DesignCheck(
         "stress of the bars",
         "no failure found" if holds else "attention",
-        f"{worst.layer.replace('_', ' ')}: sigma_s {worst.value / 1e6:.4g} {'<=' if holds else '>'} "
-        f'{most / 1e6:.4g} MPa = 0.8 f_yk at {worst.where} in "{worst.combination}" ({clauses.stress})',
+        Message(
+            "{layer}: sigma_s {value:.4g (MPa)} {sign} {most:.4g MPa} = 0.8 f_yk at {where} in "
+            '"{combination}" ({stress})',
+            layer=worst.layer.replace("_", " "),
+            value=worst.value / 1e6,
+            sign="<=" if holds else ">",
+            most=most / 1e6,
+            where=worst.where,
+            combination=Name(worst.combination),
+            stress=clauses.stress,
+        ),
         of=worst.layer.replace("_", " "),
         demand=worst.value / 1e6,
         resistance=most / 1e6,
@@ -152,8 +162,16 @@ def _yields(bent: BentBars, f_yk: float, name: str, clauses: Clauses, steps: Ite
     return DesignCheck(
         name,
         "fails",
-        f"{layer}: the bars yield, sigma_s {bent.value / 1e6:.4g} MPa > {limit} of an elastic section at "
-        f'{bent.where} in "{bent.combination}"; the section fails, and no crack width is valid ({clauses.yielding})',
+        Message(
+            "{layer}: the bars yield, sigma_s {value:.4g MPa} > {limit} of an elastic section at {where} in "
+            '"{combination}"; the section fails, and no crack width is valid ({yielding})',
+            layer=layer,
+            value=bent.value / 1e6,
+            limit=limit,
+            where=bent.where,
+            combination=Name(bent.combination),
+            yielding=clauses.yielding,
+        ),
         of=layer,
         demand=bent.value / 1e6,
         resistance=f_yk / 1e6,
@@ -196,7 +214,7 @@ def check_cracks(
         yield not_judged("crack width", NO_COMBINATION, words, resistance=w_max * MM, unit="mm")
         return
     for stress, crack in zip(stresses, widths, strict=True):
-        name = f"crack width at the {crack.layer.replace('_', ' ')}"
+        name = Message("crack width at the {layer}", layer=crack.layer.replace("_", " "))
         if stress.value > f_yk:
             yield _yields(stress, f_yk, name, clauses, steps.stress(stress))
         else:
@@ -210,8 +228,16 @@ def _crack(crack: BentBars, w_max: float, name: str, clauses: Clauses, steps: It
     return DesignCheck(
         name,
         "no failure found" if holds else "fails",
-        f"{clauses.width} {value:.3g} {'<=' if holds else '>'} {most:.3g} mm at {crack.where} in "
-        f'"{crack.combination}" ({clauses.crack})',
+        Message(
+            '{width} {value:.3g (mm)} {sign} {most:.3g mm} at {where} in "{combination}" ({crack})',
+            width=clauses.width,
+            value=value,
+            sign="<=" if holds else ">",
+            most=most,
+            where=crack.where,
+            combination=Name(crack.combination),
+            crack=clauses.crack,
+        ),
         of=crack.layer.replace("_", " "),
         demand=value,
         resistance=most,

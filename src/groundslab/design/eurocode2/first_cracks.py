@@ -12,6 +12,7 @@ from groundslab.design.basis.calculation import Step
 from groundslab.design.basis.check import DesignCheck
 from groundslab.design.basis.combinations import solved_results
 from groundslab.design.demands.design_moments import design_moments
+from groundslab.messages import Clause, Message, Name
 from groundslab.model.design.laid_bars import LaidBars
 from groundslab.results.fields import place_of
 from groundslab.results.results import Results
@@ -60,8 +61,16 @@ def check_first_cracks(combined: Results, laid: dict[str, LaidBars], rule: First
     return DesignCheck(
         NAME,
         "no failure found" if holds else "fails",
-        f"{name}: {demand:.4g} {'<=' if holds else '>'} {resistance:.4g} cm2/m at ({x:.3f}, {y:.3f}) m, "
-        f"{rule.assumed} ({rule.clause})",
+        Message(
+            "{name}: {demand:.4g (cm2/m)} {sign} {resistance:.4g cm2/m} at {place:.3f m}, {assumed} ({clause})",
+            name=Name(name),
+            demand=demand,
+            sign="<=" if holds else ">",
+            resistance=resistance,
+            place=(x, y),
+            assumed=rule.assumed,
+            clause=Clause(rule.clause),
+        ),
         of=name,
         demand=demand,
         resistance=resistance,

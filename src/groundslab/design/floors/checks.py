@@ -31,6 +31,7 @@ from groundslab.design.floors.yield_lines import Location, YieldSlab
 from groundslab.discretize.ground import grounds_of
 from groundslab.errors import InputError
 from groundslab.fem.foundation import Column
+from groundslab.messages import Message, Name, joined, quantity
 from groundslab.model.design.floors import ACI360Floor, AnyFloor, TR34Floor
 from groundslab.model.ground import ContinuousGround
 from groundslab.model.loads.load_cases import SERVICEABILITY, STRENGTH
@@ -65,7 +66,9 @@ class Slab:
     @property
     def springs(self) -> str:
         """Return the note on k after a clause, empty where the ground itself has a k."""
-        return f", with k = {self.k / 1e6:.3g} MPa/m equivalent to the continuum" if self.equivalent else ""
+        return (
+            Message(", with k = {k:.3g MPa/m} equivalent to the continuum", k=self.k / 1e6) if self.equivalent else ""
+        )
 
     @property
     def lam(self) -> float:
@@ -122,7 +125,7 @@ def _of_plate(name: str, check: DesignCheck) -> DesignCheck:
     """Return a check with the name of its plate."""
     of = f"{name}, {check.of}" if check.of else name
     words = check.words.removeprefix(f"{check.of}: ") if check.of else check.words
-    return replace(check, of=of, words=f"{of}: {words}")
+    return replace(check, of=of, words=Message("{of}: {text}", of=of, text=words))
 
 
 def _serviceable(combined: Results) -> list[CombinationResult]:
@@ -151,11 +154,11 @@ def _by_tr34(floor: TR34Floor, slab: Slab, standing: Standing) -> Iterator[Desig
         alone = sum(yield_lines.single(lines, load.a, location) for load in loads)
         return alone if len(loads) == 1 else min(alone, yield_lines.group(lines, a, distances, location))
 
-    clause = f"TR34 yield lines, Meyerhof 1962{slab.springs}"
+    clause = Message("TR34 yield lines, Meyerhof 1962{springs}", springs=slab.springs)
     yield from _point_loads(slab, standing, fails, dict.fromkeys(NAMES, clause))
     yield from _punching(floor, concrete, slab, standing)
-    yield from _line_loads(slab, M_n, results, f"TR34, Hetenyi 1946{slab.springs}")
-    yield from _pressures(slab, M_n, results, f"TR34, Hetenyi 1946{slab.springs}")
+    yield from _line_loads(slab, M_n, results, Message("TR34, Hetenyi 1946{springs}", springs=slab.springs))
+    yield from _pressures(slab, M_n, results, Message("TR34, Hetenyi 1946{springs}", springs=slab.springs))
 
 
 def concrete_of(floor: TR34Floor) -> Concrete:
@@ -197,7 +200,7 @@ def _punching(floor: TR34Floor, concrete: Concrete, slab: Slab, standing: Standi
             at_face = P / (face_length(surroundings(result.plate, column, 0.0, openings(d)), d) * d)
             around = punching.demand(result.plate, column, d, P).v_Ed
         except InputError as error:
-            yield not_judged("punching", NO_PERIMETER, f"{location}, {error}", of=location)
+            yield not_judged("punching", NO_PERIMETER, joined((location, str(error))), of=location)
             continue
         change = error_of(result, lambda mesh: punching.demand(mesh.plate, column, d, P).v_Ed)  # noqa: B023  made at once
         rows = (("punching at the footprint", at_face, None), ("punching", around, change))
@@ -225,7 +228,7 @@ def _by_aci(floor: ACI360Floor, slab: Slab, standing: Standing) -> Iterator[Desi
             (load,) = loads
             return yield_lines.meyerhof(M_0, load.a, slab.l, location) / floor.safety_factor
 
-        clause = f"ACI 360R-10 11.3.3.3, Meyerhof 1962{slab.springs}"
+        clause = Message("ACI 360R-10 11.3.3.3, Meyerhof 1962{springs}", springs=slab.springs)
         yield from _point_loads(slab, standing, fails, {1: clause})
 
 
@@ -292,7 +295,7 @@ def _largest_transfer(standing: Standing) -> float:
 def _joints(most: float) -> Iterator[DesignCheck]:
     """Yield what joints are relied on for, the most that they carry over of a force [N], which nothing checks."""
     if most > 0:
-        words = f"the transfer of up to {most / 1e3:.4g} kN of a force across joints is not checked"
+        words = Message("the transfer of up to {most:.4g kN} of a force across joints is not checked", most=most / 1e3)
         yield DesignCheck("load transfer at joints", "not checked", words)
 
 
@@ -348,8 +351,17 @@ def _restraint(floor: AnyFloor) -> Iterator[DesignCheck]:
 def _check(name: str, of: str, use: Use, unit: str, scale: float, clause: str) -> DesignCheck:
     """Return a check of a demand at its place."""
     holds = use.demand <= use.resistance
-    values = f"{use.demand * scale:.4g} {'<=' if holds else '>'} {use.resistance * scale:.4g} {unit}"
-    where = f' at ({use.place[0]:.3f}, {use.place[1]:.3f}) m in "{use.combination}"' if use.combination else ""
+    values = Message(
+        "{demand} {sign} {resistance}",
+        demand=quantity(use.demand * scale, f"({unit})"),
+        sign="<=" if holds else ">",
+        resistance=quantity(use.resistance * scale, unit),
+    )
+    where = (
+        Message(' at {place:.3f m} in "{combination}"', place=use.place, combination=Name(use.combination))
+        if use.combination
+        else ""
+    )
     return DesignCheck(
         name,
         "no failure found" if holds else "fails",

@@ -13,6 +13,7 @@ from groundslab.design.basis.demand_errors import error_of, scaled
 from groundslab.design.en1992.materials import CONCRETE_CLASSES
 from groundslab.design.floors import dowels as tr34
 from groundslab.design.floors.dowels import FORMULAS, GAMMA_S, Dowel
+from groundslab.messages import Message, Name
 from groundslab.model.design.floors import TR34Floor
 from groundslab.model.loads.load_cases import STRENGTH
 from groundslab.model.model import Model
@@ -31,7 +32,7 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
     joints, results = combined.model.joints, ultimate_results(combined)
     bare = [joint.title for joint in joints if joint.dowels is None]
     if bare:
-        words = f"what the joints {some(bare)} carry is not checked, as they have no dowels"
+        words: str = Message("what the joints {names} carry is not checked, as they have no dowels", names=some(bare))
         yield DesignCheck(TRANSFER, "not checked", words)
     if len(bare) == len(joints):
         return
@@ -75,9 +76,16 @@ def _check(
     force, R, used = (known[symbol].value for symbol in ("P", "P_R", "eta"))
     what = "shear" if known["P_sh"].value <= known["P_b"].value else "bending"
     error = error_of(governing, lambda mesh: _largest(mesh.joints[number]))
-    words = (
-        f"{title}: {force * 1e3:.4g} kN on a dowel at ({x:.3f}, {y:.3f}) m is {used:.3g} times {R * 1e3:.4g} kN, by "
-        f'{what}, in "{governing.combination}"'
+    words = Message(
+        "{title}: {force:.4g kN} on a dowel at {place:.3f m} is {used:.3g} times {R:.4g kN}, by {what}, "
+        'in "{combination}"',
+        title=title,
+        force=force * 1e3,
+        place=(x, y),
+        used=used,
+        R=R * 1e3,
+        what=what,
+        combination=Name(governing.combination),
     )
     return DesignCheck(
         DOWELS, "fails" if used > 1 else "no failure found", words, of=title, demand=force * 1e3, resistance=R * 1e3,

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cache, partial
 
@@ -21,6 +21,7 @@ from groundslab.design.proposal.plan_grid import CellValues, PlanGrid, locate_ce
 from groundslab.design.punching_links.layout import LinkLayout
 from groundslab.design.required_bars import largest_areas, required_areas
 from groundslab.errors import GroundslabError, InputError, Issue
+from groundslab.messages import Message, Name
 from groundslab.model.design.bars import BarZone
 from groundslab.model.design.detailing import Detailing, allowed_bars
 from groundslab.model.design.laid_bars import axis_of, bar_area, laid_bars, polygon_of
@@ -116,7 +117,7 @@ def propose_bars(results: Results) -> BarProposal:
     between = float(thickness.min()), float(thickness.max())
     axes = {layer: axis_of(steel, layer) for layer in LAYERS}
     for _ in range(MOST_ROUNDS):
-        layers, remarks = dict[str, LayerProposal](), []
+        layers, remarks = dict[str, LayerProposal](), list[str]()
         for layer in LAYERS:
             task = _task(results, steel, layer, needs[layer], between, rule, cells)
             task = replace(task, farthest=partial(_farthest, steel, rule, axes[layer]))
@@ -135,12 +136,15 @@ def propose_bars(results: Results) -> BarProposal:
 
 def _propose(
     task: LayerTask, layer: str, grid: PlanGrid, steel: Reinforcement, rule: DetailingRule
-) -> tuple[LayerProposal | None, list[str]]:
+) -> tuple[LayerProposal | None, Sequence[str]]:
     """Return the bars of a layer, None if none are enough, and what they could not keep to."""
     name, every = layer.replace("_", " "), _diameters(steel, layer, rule, crossing=True)
     thick, far = replace(task, diameters=every), replace(task, farthest=_no_limit)
-    crossing = f"{name}: the axes leave no room for bars so thick to cross others"
-    apart = f"{name}: bars are farther apart than cracks allow, as none of those that may be proposed are near enough"
+    crossing = Message("{name}: the axes leave no room for bars so thick to cross others", name=Name(name))
+    apart = Message(
+        "{name}: bars are farther apart than cracks allow, as none of those that may be proposed are near enough",
+        name=Name(name),
+    )
     for attempt, missed in (
         (task, []), (thick, [crossing]), (far, [apart]), (replace(far, diameters=every), [crossing, apart])
     ):  # fmt: skip
@@ -233,8 +237,11 @@ def _refuse(layer: str, needs: Array, nodes: Array, steel: Reinforcement, rule: 
     if np.isinf(needs[node]):
         raise InputError([Issue(where, "concrete too weak for any bars", "a thicker slab, or stronger concrete")])
     most = max(_diameters(steel, layer, rule, crossing=True)) * 1e3
-    hint = f"cover and axes leave room for {most:g} mm; allow smaller spacings or more zones in reinforcement.proposal"
-    found = f"{needs[node] * 1e4:.4g} cm2/m required"
+    hint = Message(
+        "cover and axes leave room for {most:g mm}; allow smaller spacings or more zones in reinforcement.proposal",
+        most=most,
+    )
+    found = Message("{needs:.4g cm2/m} required", needs=needs[node] * 1e4)
     raise InputError([Issue(where, found, "bars of reinforcement.proposal that are as much", hint)])
 
 
@@ -250,7 +257,7 @@ def _task(
     """Return what the bars of a layer are chosen for, with what they need (n,) [m2/m] at the nodes without cracks."""
     spacings = tuple(s for s in steel.proposal.spacings if s <= rule.spacing(steel, thickness[0]) + ROUNDING)
     if not spacings:
-        hint = f"at most {rule.spacing(steel, thickness[0]) * 1e3:.4g} mm is allowed"
+        hint = Message("at most {spacing:.4g mm} is allowed", spacing=rule.spacing(steel, thickness[0]) * 1e3)
         raise InputError([Issue("reinforcement.proposal.spacings", "none that the code allows", "smaller ones", hint)])
     axis = "xy".index(layer[-1])
 
@@ -355,7 +362,9 @@ def _remarks(results: Results, rule: DetailingRule) -> Iterator[str]:
     """Yield what was not looked at."""
     if rule.crack_area is None:
         alone = "" if rule.crack_spacing is None else ", how far apart bars may be for cracks alone"
-        yield f"crack widths are not looked at: the code of the case has no rule of them here{alone}"
+        yield Message(
+            "crack widths are not looked at: the code of the case has no rule of them here{alone}", alone=alone
+        )
     steel = results.model.reinforcement
     if steel is not None and steel.detailing is not None and not steel.detailing.edge_bars:
         yield "bars at edges of the slab count as held there, though detailing.edge_bars is false: hook them"

@@ -17,6 +17,7 @@ import numpy as np
 from groundslab.arrays import Array
 from groundslab.design.punching_links.demand import Arrangement, LinkDemand, LinkRow, Support
 from groundslab.errors import InputError
+from groundslab.messages import Message
 from groundslab.model.design.laid_bars import DENSITY
 
 #: Legs are at least so far apart along a perimeter [m], so that concrete gets between them.
@@ -120,7 +121,7 @@ class LinkLayout:
         if len(set(counts)) == 1:
             return f"{len(counts)} x {counts[0]}"
         if len(counts) > MOST_COUNTS:
-            return f"{len(counts)} perimeters, {sum(counts)}"
+            return Message("{number} perimeters, {number_2}", number=len(counts), number_2=sum(counts))
         return " + ".join(map(str, counts))
 
     @property
@@ -166,9 +167,10 @@ def _no_room(arrangement: Arrangement, diameters: Sequence[float]) -> str:
     """Return why no diameter fits."""
     if not any(True for diameter in diameters for _ in arrangement.options(diameter)):
         return "none of reinforcement.proposal.link_diameters may be used in so thin a slab"
-    return (
-        f"legs of reinforcement.proposal.link_diameters would be closer than {1e3 * LEAST_APART:g} mm: allow thicker "
-        "ones, or choose a thicker slab"
+    return Message(
+        "legs of reinforcement.proposal.link_diameters would be closer than {least_apart:g mm}: allow "
+        "thicker ones, or choose a thicker slab",
+        least_apart=1e3 * LEAST_APART,
     )
 
 

@@ -15,6 +15,7 @@ from groundslab.design.tables.quantities import nodal_values, ranged_fields
 from groundslab.design.tables.reinforcement import CM2
 from groundslab.design.tables.table import Cell, Table, table_of
 from groundslab.errors import GroundslabError
+from groundslab.messages import Message, Name
 from groundslab.model.loads.load_cases import LimitState
 from groundslab.results.fields import BAR_FIELDS, LAYERS, RANGED_FIELDS, extreme_node, place_of
 from groundslab.results.results import CombinationResult, Results
@@ -61,10 +62,14 @@ def fields_of_envelope(combined: Results) -> dict[str, Array | Integers]:
         numbers: Integers = np.array([number[result.combination] for result in group], dtype=np.int64)
         for name, about in RANGED_FIELDS.items():
             e = envelope({result.combination: nodal_values(result, name) for result in group})
-            fields[f"{state} greatest {about.name}"] = e.greatest
-            fields[f"{state} least {about.name}"] = e.least
-            fields[f"{state} combination of greatest {about.label}"] = numbers[e.greatest_by]
-            fields[f"{state} combination of least {about.label}"] = numbers[e.least_by]
+            fields[Message("{state} greatest {name}", state=state, name=Name(about.name))] = e.greatest
+            fields[Message("{state} least {name}", state=state, name=Name(about.name))] = e.least
+            fields[Message("{state} combination of greatest {label}", state=state, label=about.label)] = numbers[
+                e.greatest_by
+            ]
+            fields[Message("{state} combination of least {label}", state=state, label=about.label)] = numbers[
+                e.least_by
+            ]
     if combined.model.reinforcement is not None:
         fields |= _reinforcement(combined)
     return fields
@@ -78,12 +83,15 @@ def _reinforcement(combined: Results) -> dict[str, Array | Integers]:
         return {}
     areas = {layer: required_bars.largest_areas(required, layer)[0] for layer in LAYERS}
     fields: dict[str, Array | Integers] = {
-        f"reinforcement {layer.replace('_', ' ')} [cm2/m]": area * CM2 for layer, area in areas.items()
+        Message("reinforcement {layer} [cm2/m]", layer=layer.replace("_", " ")): area * CM2
+        for layer, area in areas.items()
     }
     fails: Flags = np.any([np.isinf(area) for area in areas.values()], axis=0)
     for name, values in required_bars.bar_fields(combined).items():
         if not name.startswith("required"):  # which is there as reinforcement
-            fields[f"{BAR_FIELDS[name].quantity} [{BAR_FIELDS[name].unit}]"] = values * BAR_FIELDS[name].scale
+            fields[Message("{quantity} [{unit}]", quantity=BAR_FIELDS[name].quantity, unit=BAR_FIELDS[name].unit)] = (
+                values * BAR_FIELDS[name].scale
+            )
     fields["reinforcement fails"] = fails.astype(np.int64)
     fields["reinforcement needs links"] = required_bars.needs_links(required).astype(np.int64)
     return fields

@@ -14,6 +14,7 @@ from groundslab.design.tables.table import Cell, Table, table_of
 from groundslab.errors import InputError
 from groundslab.fem.mesh import Mesh, locate
 from groundslab.fem.shape_functions import q9
+from groundslab.messages import Message, Name
 from groundslab.model.outputs import OutputStrip
 from groundslab.results.fields import POINT_FIELDS
 from groundslab.results.results import CombinationResult, Results
@@ -149,4 +150,7 @@ def _of_beams(results: CombinationResult, output: OutputStrip, s: Array) -> Arra
 
 def _not_met(kind: str, missed: list[str]) -> list[str]:
     """Return a note for each line or strip that does not cross the plate."""
-    return [f"{kind} {name}: it does not cross the plate" for name in dict.fromkeys(missed)]
+    return [
+        Message("{kind} {name}: it does not cross the plate", kind=kind, name=Name(name))
+        for name in dict.fromkeys(missed)
+    ]

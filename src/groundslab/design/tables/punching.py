@@ -13,6 +13,7 @@ from groundslab.design.demands.zones.thicker_zones import zone_forces
 from groundslab.design.proposal.links import punching_links
 from groundslab.design.punching_links.layout import LinkLayout
 from groundslab.design.tables.table import Cell, Table, table_of
+from groundslab.messages import Clause, Message
 from groundslab.results.results import Results
 
 
@@ -90,9 +91,12 @@ def shear_reinforcement(combined: Results) -> Table:
         rows.append([None, "all", *[None] * 3, number, *[None] * 6, total, mass, *[None] * 4])
     clauses = ", ".join(dict.fromkeys(layout.clauses for layout in layouts))
     notes = [
-        f"Vertical legs in perimeters around what punches, by {clauses}, "
-        "of the diameter of reinforcement.proposal.link_diameters that needs the least steel. They are proposed: the "
-        "case has no links.",
+        Message(
+            "Vertical legs in perimeters around what punches, by {clauses}, of the diameter of "
+            "reinforcement.proposal.link_diameters that needs the least steel. They are proposed: the case "
+            "has no links.",
+            clauses=Clause(clauses),
+        ),
         "Legs are as long as the covers of both faces leave of the thickness, without hooks, and keep off edges and "
         "openings by the larger cover. Steel of 7850 kg/m3 (EN 1992-1-1 3.2.7(3)).",
     ]

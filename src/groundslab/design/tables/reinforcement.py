@@ -6,6 +6,7 @@ from groundslab.design.basis.combinations import UNFACTORED, without_partial_fac
 from groundslab.design.codes import code_of
 from groundslab.design.required_bars import Need, governing_needs, section_name
 from groundslab.design.tables.table import Cell, Table, table_of
+from groundslab.messages import Message, Name
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.results import Results
 
@@ -24,14 +25,24 @@ def reinforcement(combined: Results, steel: Reinforcement) -> Table:
     code = code_of(steel)
     least, held = code.clauses.least_bars, code.clauses.held_bars
     notes = [
-        f"By {code.name} for Wood's design moments of each node in each ultimate combination, not of averages. The "
-        f"required area is not less than the minimum of {least} where there is a moment.",
+        Message(
+            "By {name} for Wood's design moments of each node in each ultimate combination, not of averages. "
+            "The required area is not less than the minimum of {least} where there is a moment.",
+            name=Name(code.name),
+            least=least,
+        ),
         "Place, combination and design moment are those that govern the area; where it is governed by the minimum, "
         "those of the largest moment. The design moment is positive with tension at the bottom: for bars in "
         "compression it is that of the other face.",
-        "inf: the concrete is too weak in bending for any reinforcement. Links must hold bars in compression "
-        f"({held}) where these are counted on.",
-        f"Minimum area of tension bars by {least} for the section. Crack widths, shear and punching are not in it.",
+        Message(
+            "inf: the concrete is too weak in bending for any reinforcement. Links must hold bars in "
+            "compression ({held}) where these are counted on.",
+            held=held,
+        ),
+        Message(
+            "Minimum area of tension bars by {least} for the section. Crack widths, shear and punching are not in it.",
+            least=least,
+        ),
     ]
     if not rows:
         notes.insert(0, "No ultimate combination has a result.")

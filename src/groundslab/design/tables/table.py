@@ -8,9 +8,10 @@ from collections.abc import Collection, Iterable, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
+from groundslab.messages import Message, Name, words_in
 from groundslab.optional import import_optional
 from groundslab.schema.wording import as_cell
-from groundslab.unit_systems import System, unit_in, words_in
+from groundslab.unit_systems import System, unit_in
 from groundslab.units import coordinate
 
 if TYPE_CHECKING:
@@ -44,7 +45,7 @@ class Column:
     @property
     def header(self) -> str:
         """Return name and unit, as in "settlement w [mm]"."""
-        return f"{self.name} [{self.unit}]" if self.unit else self.name
+        return Message("{name} [{unit}]", name=Name(self.name), unit=self.unit) if self.unit else self.name
 
 
 @dataclass(frozen=True, slots=True)

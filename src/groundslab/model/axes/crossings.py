@@ -9,6 +9,7 @@ from typing import Annotated, Any
 
 from groundslab import units
 from groundslab.geometry.plan import Place
+from groundslab.messages import Name
 from groundslab.model.axes.families import BETWEEN, AnyAxes, Axis, RayAxes, RingAxes, StraightAxes, crossings
 from groundslab.schema.fields import ListOf, Text
 from groundslab.schema.issues import FieldError, RelativeIssue
@@ -35,7 +36,7 @@ class InvalidCrossing:
 class Crossing(Text):
     """The names of two axes that cross, such as `B/3`."""
 
-    def read(self, value: Any, from_file: bool) -> str:
+    def read(self, value: Any, from_file: bool) -> Name:
         """Return the text; raises FieldError if it names no crossing."""
         if isinstance(value, InvalidCrossing):
             raise FieldError(*value.issues)

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from groundslab.messages import Message, joined
 from groundslab.model.loads.load_cases import Combination, LimitState, LoadCase
 from groundslab.model.loads.patterns import position_names
 
@@ -26,8 +27,16 @@ class Acting:
 
     def words(self) -> str:
         """Return it in words, such as "ultimate 1 to 1.35 (4 of 6)"."""
-        factors = f"{self.least:.6g}" + ("" if self.least == self.greatest else f" to {self.greatest:.6g}")
-        return f"{self.limit_state} {factors} ({self.combinations} of {self.total})"
+        factors = f"{self.least:.6g}" + (
+            "" if self.least == self.greatest else Message(" to {greatest:.6g}", greatest=self.greatest)
+        )
+        return Message(
+            "{limit_state} {factors} ({combinations} of {total})",
+            limit_state=self.limit_state,
+            factors=factors,
+            combinations=self.combinations,
+            total=self.total,
+        )
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,7 +63,7 @@ class CaseUse:
 
     def words(self) -> str:
         """Return in words where the case acts."""
-        return "; ".join(acting.words() for acting in self.acting) or "in no combination"
+        return joined((acting.words() for acting in self.acting), "; ") or "in no combination"
 
 
 def case_uses(model: Model, combinations: Sequence[Combination]) -> tuple[CaseUse, ...]:

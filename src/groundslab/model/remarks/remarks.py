@@ -11,6 +11,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from groundslab.messages import Message, Name, joined
 from groundslab.model.combinations import list_combinations
 from groundslab.model.loads.annexes import is_unknown
 from groundslab.model.loads.clipping import find_clipped_loads
@@ -116,8 +117,9 @@ def _on_annex(model: Model) -> Iterator[Remark]:
     """Yield that combinations have the recommended values, where those of the annex were not found."""
     annex = None if model.combine is None else model.combine.annex
     if model.combine is not None and model.combine.expression != "ACI 318" and is_unknown(annex):
-        words = (
-            f"psi and partial factors of the annex of {annex} to EN 1990 were not found: the recommended ones are taken"
+        words = Message(
+            "psi and partial factors of the annex of {annex} to EN 1990 were not found: the recommended ones are taken",
+            annex=annex,
         )
         yield Remark(("combine",), words)
 
@@ -129,7 +131,7 @@ def _on_cases(model: Model, uses: Sequence[CaseUse]) -> Iterator[Remark]:
     for position, use in enumerate(uses):
         place, name = ("cases", position), use.case.name
         if use.empty:
-            yield Remark(place, f"case {quote(name)} has no loads", doubtful=True, of=name)
+            yield Remark(place, Message("case {name} has no loads", name=quote(name)), doubtful=True, of=name)
         elif use in unused:
             where = "has the factor 0 wherever it is named" if use.named else "acts in no combination"
             force = f" ({show(forces[name], 'force')})" if forces.get(name) else ""
@@ -140,7 +142,7 @@ def _loads(use: CaseUse) -> str:
     """Return the loads of a case in words, with the verb that goes with them."""
     if not use.loads:
         return "its horizontal force is"
-    return "its load is" if use.loads == 1 else f"its {use.loads} loads are"
+    return "its load is" if use.loads == 1 else Message("its {loads} loads are", loads=use.loads)
 
 
 #: Limit states that are judged together, and what their combinations are called.
@@ -164,7 +166,7 @@ def _on_limit_states(uses: Sequence[CaseUse], combinations: Sequence[Combination
             if use.empty or not acting or acting & set(states) or action not in ("permanent", "variable"):
                 continue
             doubtful = action == "permanent" or "ultimate" in states
-            text = f"case {quote(name)} acts in no {words}"
+            text = Message("case {name} acts in no {text}", name=quote(name), text=words)
             yield Remark(("cases", position), text, doubtful, name)
 
 
@@ -191,10 +193,19 @@ def _on_spans(model: Model) -> Iterator[Remark]:
         lengths = [show(end - start, "length") for start, end in spans_of(beam, model.plate, model.plates)]
         if lengths:
             place = ("beams", number) if wall < 0 else ("walls", stiff[wall])
-            what = f"beam {quote(beam.name)}" if wall < 0 else f"wall {quote(model.walls[stiff[wall]].name)}"
+            what = (
+                Message("beam {name}", name=quote(beam.name))
+                if wall < 0
+                else Message("wall {name}", name=quote(model.walls[stiff[wall]].name))
+            )
             openings = "an opening" if len(lengths) == 1 else "openings"
-            words = f"{what} spans {openings} of the plate, {', '.join(lengths)} wide"
-            yield Remark(place, f"{words}: what acts on it there goes to both edges")
+            words = Message(
+                "{what} spans {openings} of the plate, {listed} wide",
+                what=what,
+                openings=openings,
+                listed=", ".join(lengths),
+            )
+            yield Remark(place, Message("{text}: what acts on it there goes to both edges", text=words))
 
 
 def _on_clipped_loads(model: Model) -> Iterator[Remark]:
@@ -208,8 +219,10 @@ def _on_patterns(model: Model) -> Iterator[Remark]:
     placed = {move.pattern for move in model.moves}
     for position, pattern in enumerate(model.patterns):
         if pattern.name not in placed:
-            words = f"pattern {quote(pattern.name)} is not placed by any move: its forces are left out"
-            yield Remark(("patterns", position), words, doubtful=True, of=pattern.name)
+            unplaced = Message(
+                "pattern {name} is not placed by any move: its forces are left out", name=quote(pattern.name)
+            )
+            yield Remark(("patterns", position), unplaced, doubtful=True, of=pattern.name)
     for position, words in absent_forces(model.plate, model.patterns, model.moves, model.plates):
         yield Remark(("moves", position), words)
 
@@ -223,7 +236,11 @@ def _on_moves(model: Model) -> Iterator[Remark]:
     for position, move in enumerate(model.moves):
         if (move.travels or move.pattern in vehicles) and actions.get(move.case) == "permanent":
             pattern, case = quote(move.pattern), quote(move.case)
-            words = f'pattern {pattern} moves in case {case}, which is permanent; a moving load is "variable"'
+            words = Message(
+                'pattern {pattern} moves in case {case}, which is permanent; a moving load is "variable"',
+                pattern=pattern,
+                case=case,
+            )
             yield Remark(("moves", position), words, doubtful="ultimate" in model.combine.sets, of=move.case)
 
 
@@ -239,7 +256,10 @@ def _on_boreholes(model: Model) -> Iterator[Remark]:
         if off > FAR_BOREHOLE * max(model.sides):
             name = quote(hole.name) if hole.name else str(position + 1)
             distance = show(off, "length")
-            yield Remark(("boreholes", position), f"borehole {name} is {distance} off the plate")
+            yield Remark(
+                ("boreholes", position),
+                Message("borehole {name} is {distance} off the plate", name=Name(name), distance=distance),
+            )
 
 
 def _on_repeated(model: Model, uses: Sequence[CaseUse], combinations: Sequence[Combination]) -> Iterator[Remark]:
@@ -253,10 +273,16 @@ def _on_repeated(model: Model, uses: Sequence[CaseUse], combinations: Sequence[C
         if known != combination.name:
             repeated[combination.name] = known
     if repeated:
-        pairs = [f"{quote(name)} is the same as {quote(known)}" for name, known in repeated.items()]
-        more = f" and {len(pairs) - MOST_NAMED} more" if len(pairs) > MOST_NAMED else ""
+        pairs = [
+            Message("{name} is the same as {other}", name=quote(name), other=quote(known))
+            for name, known in repeated.items()
+        ]
+        more = Message(" and {number} more", number=len(pairs) - MOST_NAMED) if len(pairs) > MOST_NAMED else ""
         key = "combinations" if model.combinations else "combine" if model.combine is not None else "cases"
-        yield Remark((key,), f"combinations with the same factors: {', '.join(pairs[:MOST_NAMED])}{more}")
+        yield Remark(
+            (key,),
+            Message("combinations with the same factors: {listed}{more}", listed=joined(pairs[:MOST_NAMED]), more=more),
+        )
 
 
 def _on_combine(model: Model, uses: Sequence[CaseUse], combinations: Sequence[Combination]) -> Iterator[Remark]:
@@ -269,14 +295,20 @@ def _on_combine(model: Model, uses: Sequence[CaseUse], combinations: Sequence[Co
         return
     there = {combination.limit_state for combination in combinations}
     for state in (state for state in model.combine.sets if state not in there):
-        yield Remark(("combine", "sets"), f"{quote(state)} yields no combination: all its factors are 0", doubtful=True)
+        yield Remark(
+            ("combine", "sets"),
+            Message("{name} yields no combination: all its factors are 0", name=quote(state)),
+            doubtful=True,
+        )
     loaded = [use.case for use in uses if not use.empty]
     if set(model.combine.sets) <= {"equilibrium", "uplift"} or any(case.action == "variable" for case in model.cases):
         return
     permanent = [quote(case.name) for case in loaded if case.action == "permanent"]
     if permanent:
         are = f"{listed(permanent, 'and')} {'is' if len(permanent) == 1 else 'are'}"
-        words = f'no case is variable: {are} combined as permanent; a live load needs action = "variable"'
+        words = Message(
+            'no case is variable: {are} combined as permanent; a live load needs action = "variable"', are=are
+        )
         yield Remark(("combine",), words, doubtful="ultimate" in model.combine.sets)
 
 
@@ -290,7 +322,7 @@ def _on_names(model: Model, uses: Sequence[CaseUse]) -> Iterator[Remark]:
     for position, use in enumerate(uses):
         case = use.case
         if case.action == "permanent" and not use.empty and VARIABLE.fullmatch(case.name):
-            words = f'case {quote(case.name)} is permanent, the default; a live load is "variable"'
+            words = Message('case {name} is permanent, the default; a live load is "variable"', name=quote(case.name))
             yield Remark(("cases", position), words, doubtful="ultimate" in model.combine.sets, of=case.name)
 
 
@@ -305,7 +337,11 @@ def _on_self_weight(model: Model) -> Iterator[Remark]:
     for position, load in enumerate(model.loads):
         action = actions.get(load.case, "permanent")
         if isinstance(load, SelfWeight) and action != "permanent":
-            words = f"self-weight is permanent, but acts in case {quote(load.case)}, which is {action}"
+            words = Message(
+                "self-weight is permanent, but acts in case {name}, which is {action}",
+                name=quote(load.case),
+                action=action,
+            )
             yield Remark(("loads", position), words, doubtful=True, of=load.case)
 
 
@@ -323,6 +359,6 @@ def _on_uplift(model: Model, uses: Sequence[CaseUse], combinations: Sequence[Com
         case = use.case
         if case.name in lifting - inside and case.action != "seismic":
             hint = "; [combine] makes none with accidental actions, [[combinations]] can list one"
-            words = f"case {quote(case.name)} acts upwards, but in no uplift combination"
+            words = Message("case {name} acts upwards, but in no uplift combination", name=quote(case.name))
             words += hint if case.action == "accidental" else ""
             yield Remark(("cases", position), words, doubtful=True, of=case.name)

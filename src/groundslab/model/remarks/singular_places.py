@@ -10,6 +10,7 @@ import numpy as np
 
 from groundslab.arrays import Array, Flags, made_once
 from groundslab.geometry.plan import FLAT, Place, Ring, numbers_within
+from groundslab.messages import Message, joined
 from groundslab.model.loads.acting import LineForce, PointForce
 
 if TYPE_CHECKING:
@@ -20,10 +21,7 @@ if TYPE_CHECKING:
 #: Within so many thicknesses of them section forces are reported as means over a width.
 REACH = 1.0
 #: What is said of such places.
-SINGULAR = (
-    "Moments and shear forces are singular{} at {}: within a thickness of these they are means over a disc whose "
-    "diameter is the thickness. The moment under a force is finite if the force has a footprint."
-)
+FINITE = "The moment under a force is finite if the force has a footprint."
 
 
 def near_singular(model: Model, nodes: Array, thickness: Array) -> Flags:
@@ -45,8 +43,14 @@ def near_places(places: Sequence[Place], nodes: Array, thickness: Array) -> Flag
 def notes_on_singular_places(model: Model, mark: str = "") -> tuple[str, ...]:
     """Return the note on the places where section forces are singular, and on their mark; empty without such places."""
     places = singular_places(model)
-    what = ", ".join(f"{kind} ({len(of_kind)})" for kind, of_kind in places.items())
-    return (SINGULAR.format(mark, what),) if places else ()
+    what = joined(Message("{kind} ({number})", kind=kind, number=len(of_kind)) for kind, of_kind in places.items())
+    singular = Message(
+        "Moments and shear forces are singular{mark} at {places}: within a thickness of these they are means over a "
+        "disc whose diameter is the thickness.",
+        mark=mark,
+        places=what,
+    )
+    return (joined((singular, FINITE), " "),) if places else ()
 
 
 @made_once

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from groundslab.messages import Message
 from groundslab.schema.base import Section
 from groundslab.schema.fields import Quantity
 from groundslab.schema.issues import RelativeIssue
@@ -100,7 +101,10 @@ def unusual_quantities(model: Model) -> Iterator[Unusual]:
             ratio = zone.thickness / thickness
             if not 1 / FAR_FROM_PLATE <= ratio <= FAR_FROM_PLATE:
                 where, own, slab = _location(place), show(zone.thickness, "length"), show(thickness, "length")
-                yield Unusual(place, f"{where}: {own} in a plate of {slab}; is the unit right?")
+                yield Unusual(
+                    place,
+                    Message("{where}: {own} in a plate of {slab}; is the unit right?", where=where, own=own, slab=slab),
+                )
 
 
 def _unusual(same: list[_Quantity], below: bool) -> Unusual:
@@ -108,10 +112,25 @@ def _unusual(same: list[_Quantity], below: bool) -> Unusual:
     path, size, dimension, limits = same[0]
     where, value, (low, high) = _location(path), show(size, dimension), (show(limit, dimension) for limit in limits)
     if len(same) > 1:
-        where = f"{where}, one of {len(same)}"
+        where = Message("{where}, one of {number}", where=where, number=len(same))
     if below:
-        return Unusual(path, f"{where}: {value} is far below the usual {low} to {high}; is the unit right?")
-    words = f"{where}: {value} is far above the usual {low} to {high}; is the unit right?"
+        return Unusual(
+            path,
+            Message(
+                "{where}: {value} is far below the usual {low} to {high}; is the unit right?",
+                where=where,
+                value=value,
+                low=low,
+                high=high,
+            ),
+        )
+    words = Message(
+        "{where}: {value} is far above the usual {low} to {high}; is the unit right?",
+        where=where,
+        value=value,
+        low=low,
+        high=high,
+    )
     return Unusual(path, words, doubtful=path[-1] != "E")
 
 

@@ -6,9 +6,10 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+from groundslab.messages import words_in
 from groundslab.study.alternatives.comparison import DesignAlternative, DesignComparison
 from groundslab.study.alternatives.proposals import PANELS
-from groundslab.unit_systems import unit_in, words_in
+from groundslab.unit_systems import unit_in
 from groundslab.units import format_number
 
 if TYPE_CHECKING:

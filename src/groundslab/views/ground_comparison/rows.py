@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING
 
 from groundslab.analysis.ground_comparison.figures import COMPARED_FIELDS, FIGURES
 from groundslab.design.tables.table import Table, in_units, table_of
+from groundslab.messages import words_in
 from groundslab.results.fields import PLATE_FIELDS
-from groundslab.unit_systems import in_system, unit_in, words_in
+from groundslab.unit_systems import in_system, unit_in
 from groundslab.units import UNITS, format_number
 
 if TYPE_CHECKING:

@@ -82,13 +82,41 @@ class Unjudged(TypedDict):
     do: str
 
 
+class Name(TypedDict):
+    """A text that is the same in all languages and units: the name of a thing of a case, a clause."""
+
+    name: str
+
+
+class Message(TypedDict):
+    """A template with named holes, as in "{beam}: {M:.4g kNm}", and what fills them: numbers in the hole's unit."""
+
+    template: str
+    values: dict[str, Any]  # a number, a place, or a text by its parts
+
+
+class TextsInARow(TypedDict):
+    """Texts one after another, with a mark between."""
+
+    mark: str
+    texts: list[Any]  # each by its parts
+
+
+#: A text by its parts.
+Text: TypeAlias = str | Name | Message | TextsInARow
+
+
 class Check(TypedDict):
-    """A design check at its governing place; `utilisation` is null without numbers and where nothing resists."""
+    """A design check at its governing place; `utilisation` is null without numbers and where nothing resists.
+
+    `message` has what `words` say as values.
+    """
 
     name: str
     status: Status
     verdict: str
     words: str
+    message: Text
     of: str
     demand: float | None
     resistance: float | None

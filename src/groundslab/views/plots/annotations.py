@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
+from groundslab.messages import words_in
 from groundslab.results.contact_zone import goes_below_zero
-from groundslab.unit_systems import words_in
 from groundslab.views.plots.panels import Panel, find_extremes
 from groundslab.views.plots.style import (
     BASE,

@@ -16,8 +16,9 @@ import numpy as np
 
 from groundslab._version import __version__
 from groundslab.geometry.plan import format_place
+from groundslab.messages import words_in
 from groundslab.model.names import names_of
-from groundslab.unit_systems import unit_in, words_in
+from groundslab.unit_systems import unit_in
 from groundslab.units import WHOLE, format_coordinate, format_number
 from groundslab.views.translation import translator_of
 

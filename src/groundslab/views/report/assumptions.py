@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from groundslab.messages import words_in
 from groundslab.model.ground import ContinuousGround, Continuum, Winkler
 from groundslab.schema.wording import listed
-from groundslab.unit_systems import words_in
 
 if TYPE_CHECKING:
     from groundslab.model.model import Model

@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING, Literal
 from groundslab.design.basis.calculation import CONSTANTS, FUNCTIONS, SYMBOL
 from groundslab.design.tables.calculations import perimeters
 from groundslab.design.tables.table import Table
-from groundslab.unit_systems import unit_in, words_in
+from groundslab.messages import words_in
+from groundslab.unit_systems import unit_in
 from groundslab.units import format_number
 from groundslab.views.plots.style import place_words
 from groundslab.views.report.drawings.perimeter_sketch import draw_sketch

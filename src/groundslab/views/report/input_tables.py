@@ -9,6 +9,7 @@ from collections.abc import Iterator, Sequence, Set
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
+from groundslab.messages import words_in
 from groundslab.model.loads.annexes import document_of
 from groundslab.model.names import names_of
 from groundslab.model.remarks.case_use import case_uses
@@ -18,7 +19,7 @@ from groundslab.schema.base import Section
 from groundslab.schema.distances import Distances
 from groundslab.schema.fields import Boolean, Factors, FieldType, Integer, ListOf, Number, Quantity
 from groundslab.schema.section_fields import Field
-from groundslab.unit_systems import System, together, unit_in, words_in
+from groundslab.unit_systems import System, together, unit_in
 from groundslab.units import format_coordinate
 from groundslab.views.report.applicable_keys import keys_without_use
 from groundslab.views.report.table_layout import (

@@ -6,8 +6,8 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from groundslab.errors import NotCertified
+from groundslab.messages import words_in
 from groundslab.results.contact_zone import require_finite as require_one_finite
-from groundslab.unit_systems import words_in
 from groundslab.views.summary import sections
 from groundslab.views.summary.rows import Row, SummarySection
 

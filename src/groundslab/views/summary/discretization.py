@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from groundslab.accuracy.judgment import JudgedValue, judge
 from groundslab.accuracy.values import error_of_contact_share, error_of_largest, estimate_error
-from groundslab.unit_systems import words_in
+from groundslab.messages import words_in
 from groundslab.units import UNITS
 from groundslab.views.summary.rows import Row, SummarySection
 

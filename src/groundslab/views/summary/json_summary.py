@@ -17,6 +17,7 @@ import numpy as np
 
 from groundslab._version import __version__
 from groundslab.errors import NotConverged
+from groundslab.messages import as_values
 from groundslab.units import UNITS, Unit
 from groundslab.views.summary import combinations, sections
 from groundslab.views.summary.environment import environment
@@ -93,7 +94,8 @@ def _check(check: DesignCheck) -> dict[str, Any]:
     """Return a check as data for JSON, which knows no infinite utilisation: nothing resists there."""
     numbers = (check.utilisation, *(check.between or ()))
     used, *between = (number if number is not None and isfinite(number) else None for number in numbers)
-    return asdict(check) | {"utilisation": used, "between": between or None, "verdict": check.verdict}
+    judged = {"utilisation": used, "between": between or None, "verdict": check.verdict}
+    return asdict(check) | judged | {"message": as_values(check.words)}
 
 
 def _only(results: CombinationResult) -> dict[str, Any]:

@@ -5,7 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
-from groundslab.unit_systems import System, in_system, words_in
+from groundslab.messages import words_in
+from groundslab.unit_systems import System, in_system
 from groundslab.units import Unit
 
 if TYPE_CHECKING:

@@ -15,6 +15,7 @@ from groundslab.design.basis.bar_checks import ROUNDING, check_clear, check_cove
 from groundslab.design.basis.calculation import MEGA, Step
 from groundslab.design.basis.check import DesignCheck
 from groundslab.design.basis.combinations import solved_results
+from groundslab.messages import Message, Name
 from groundslab.model.design.laid_bars import LaidBars, axis_of, bars_of
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.fields import LAYERS, place_of
@@ -65,10 +66,22 @@ def _cracks(steel: Reinforcement, laid: dict[str, LaidBars], units: System) -> D
     holds, name = spacing <= most, layer.replace("_", " ")
     cover = axis_of(steel, layer) - float(laid[layer].diameter[node]) / 2
     return DesignCheck(
-        "distance of bars for cracks", "no failure found" if holds else "attention",
-        f"{name}: {spacing:.4g} {'<=' if holds else '>'} {most:.4g} mm, at f_s {f_s / MEGA:.4g} MPa (24.3.2), which is "
-        "asked of slabs that are reinforced in one direction (24.3.1)",
-        of=name, demand=spacing, resistance=most, unit="mm", clause="ACI 318-19 24.3.2",
+        "distance of bars for cracks",
+        "no failure found" if holds else "attention",
+        Message(
+            "{name}: {spacing:.4g (mm)} {sign} {most:.4g mm}, at f_s {f_s:.4g MPa} (24.3.2), which is asked "
+            "of slabs that are reinforced in one direction (24.3.1)",
+            name=Name(name),
+            spacing=spacing,
+            sign="<=" if holds else ">",
+            most=most,
+            f_s=f_s / MEGA,
+        ),
+        of=name,
+        demand=spacing,
+        resistance=most,
+        unit="mm",
+        clause="ACI 318-19 24.3.2",
         steps=(
             Step("specified yield strength", "f_y", materials(steel)[1].f_y / MEGA, "MPa", clause="20.2.2"),
             Step("stress of the bars", "f_s", f_s / MEGA, "MPa", "2 / 3 * f_y", "24.3.2.1"),
@@ -77,7 +90,7 @@ def _cracks(steel: Reinforcement, laid: dict[str, LaidBars], units: System) -> D
             Step("distance of the bars", "s", spacing, "mm"),
             Step("share used", "eta", spacing / most, "", "s / s_max"),
         ),
-    )  # fmt: skip
+    )
 
 
 def crack_stress(steel: Reinforcement) -> float:
@@ -107,10 +120,22 @@ def _shrinkage(combined: Results, laid: dict[str, LaidBars]) -> DesignCheck:
     holds = demand <= resistance
     x, y = place_of(results.plate.nodes, node)
     return DesignCheck(
-        "bars for shrinkage and temperature", "no failure found" if holds else "fails",
-        f"along {axis}: {demand:.4g} {'<=' if holds else '>'} {resistance:.4g} cm2/m of both faces at ({x:.3f}, "
-        f"{y:.3f}) m (24.4.3.2)",
-        of=f"along {axis}", demand=demand, resistance=resistance, unit="cm2/m", clause="ACI 318-19 24.4.3.2",
+        "bars for shrinkage and temperature",
+        "no failure found" if holds else "fails",
+        Message(
+            "along {axis}: {demand:.4g (cm2/m)} {sign} {resistance:.4g cm2/m} of both faces at {place:.3f m} "
+            "(24.4.3.2)",
+            axis=axis,
+            demand=demand,
+            sign="<=" if holds else ">",
+            resistance=resistance,
+            place=(x, y),
+        ),
+        of=Message("along {axis}", axis=axis),
+        demand=demand,
+        resistance=resistance,
+        unit="cm2/m",
+        clause="ACI 318-19 24.4.3.2",
         place=(x, y),
         steps=(
             Step("thickness", "h", float(thickness[node]), "m"),
@@ -118,7 +143,7 @@ def _shrinkage(combined: Results, laid: dict[str, LaidBars]) -> DesignCheck:
             Step("area of the bars that are laid", "A_s", resistance, "cm2/m"),
             Step("share used", "eta", demand / resistance, "", "A_min / A_s"),
         ),
-    )  # fmt: skip
+    )
 
 
 def least_cover(layer: str, diameter: float, units: System) -> float:
@@ -145,14 +170,22 @@ def _cover(steel: Reinforcement, units: System) -> DesignCheck:
         return check
     diameter = bars_of(steel, layer)[position].diameter
     why_more = _least_cover_step(against_ground, "cast against the ground")
-    words = f"bottom: {bottom * _MM:.4g} mm; cast against the ground it needs {against_ground * _MM:.4g} mm"
+    words = Message(
+        "bottom: {bottom:.4g mm}; cast against the ground it needs {against_ground:.4g mm}",
+        bottom=bottom * _MM,
+        against_ground=against_ground * _MM,
+    )
     return replace(
-        check, status="attention", words=f"{words} (Table 20.5.1.3.1)", of="bottom", demand=bottom * _MM,
+        check,
+        status="attention",
+        words=Message("{text} (Table 20.5.1.3.1)", text=words),
+        of="bottom",
+        demand=bottom * _MM,
         resistance=against_ground * _MM,
         steps=tuple(cover_steps(bottom, diameter, against_ground, why_more)),
-    )  # fmt: skip
+    )
 
 
 def _least_cover_step(cover: float, where: str) -> Iterator[Step]:
     """Yield the cover [m] that the table asks for."""
-    yield Step(f"least cover, {where}", "c_nom", cover * _MM, "mm", clause="Table 20.5.1.3.1")
+    yield Step(Message("least cover, {where}", where=where), "c_nom", cover * _MM, "mm", clause="Table 20.5.1.3.1")

@@ -34,6 +34,7 @@ from groundslab.design.demands.perimeter_loads import PunchingForce, punching_co
 from groundslab.design.demands.perimeters import Surroundings, perimeter_at, surroundings
 from groundslab.design.demands.zones.thicker_zones import zone_forces
 from groundslab.design.punching_links.demand import Arrangement, LinkDemand, LinkRow, Support, rounded_down
+from groundslab.messages import Message
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.results import CombinationResult, Results
 
@@ -96,7 +97,10 @@ def _arrangement(
     s = rounded_down(APART * d)
     counts = [count for way in punching.ways if (count := _rows(results, way, steel, d, s)) is not None]
     if len(counts) < len(punching.ways):
-        return f"stirrups would go on beyond {MOST_ROWS * APART:g} d from the face, as v_u hardly falls outwards"
+        return Message(
+            "stirrups would go on beyond {most_rows:g} d from the face, as v_u hardly falls outwards",
+            most_rows=MOST_ROWS * APART,
+        )
     area, count = aci318.links(worst.v_u, d, worst.b_o, *materials(steel)) * s, max(counts)
     plate = plate_under(first, *punching.place)
     around = surroundings(plate, punching.footprint, (count + 1) * s, openings_of(first, punching))
@@ -114,7 +118,7 @@ def _refused(steel: Reinforcement, needing: Sequence[TwoWay]) -> str:
     most = PHI_SHEAR * aci318.most_with_links(materials(steel)[0])
     used = max(demand.v_u for demand in needing) / most
     if used > 1:
-        return f"stirrups do not suffice: v_u is {used:.3g} phi 0.498 (f'c)^(1/2) (22.6.6.3)"
+        return Message("stirrups do not suffice: v_u is {used:.3g} phi 0.498 (f'c)^(1/2) (22.6.6.3)", used=used)
     return (
         "the slab is too thin for stirrups (22.6.7.1)"
         if min(demand.d for demand in needing) < aci318.LEAST_DEPTH

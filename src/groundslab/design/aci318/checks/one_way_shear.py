@@ -17,6 +17,7 @@ from groundslab.design.basis.check import DesignCheck, Status
 from groundslab.design.basis.shear_demand import ShearDemand
 from groundslab.design.demands.perimeter_loads import Reach, punching_piles, reach_without
 from groundslab.design.demands.zones.thicker_zones import zone_forces
+from groundslab.messages import Message
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.results import Results
 
@@ -38,9 +39,14 @@ def resistance(steel: Reinforcement, _: str, d: Array, rho: Array) -> Array:
 def check(steel: Reinforcement, demand: ShearDemand) -> DesignCheck:
     """Return the check at the place that governs."""
     which = "provided" if steel.laid else "needed for bending"
-    words = (
-        f"v_u {demand.v / 1e3:.4g} kN/m at {demand.where} is {demand.used:.3g} times phi v_c "
-        f"{demand.without_links / 1e3:.4g} kN/m with the bars {which} (22.5.5.1)"
+    words = Message(
+        "v_u {v:.4g kN/m} at {where} is {used:.3g} times phi v_c {without_links:.4g kN/m} with the bars "
+        "{which} (22.5.5.1)",
+        v=demand.v / 1e3,
+        where=demand.where,
+        used=demand.used,
+        without_links=demand.without_links / 1e3,
+        which=which,
     )
     status: Status = "no failure found"
     if demand.used > 1:
@@ -48,7 +54,7 @@ def check(steel: Reinforcement, demand: ShearDemand) -> DesignCheck:
         status = "fails" if np.isinf(area) else "attention"
         words += (
             "; links do not suffice (22.5.1.2)" if np.isinf(area)
-            else f"; links of {area * 1e4:.3g} cm2/m2 are needed there (22.5.8.5.3)"
+            else Message("; links of {area:.3g cm2/m2} are needed there (22.5.8.5.3)", area=area * 1e4)
         )  # fmt: skip
     return demand.check(status, words, "ACI 318-19 22.5.5.1", _steps(steel, demand))
 
@@ -58,7 +64,7 @@ def _steps(steel: Reinforcement, demand: ShearDemand) -> Iterator[Step]:
     concrete, bars = materials(steel)
     of_cut = ", mean over the cut" if demand.across else ""
     yield from demand.force_steps("v_u", "7.4.3.2" if demand.across else "")
-    yield Step(f"effective depth{of_cut}", "d", demand.d, "m")
+    yield Step(Message("effective depth{of_cut}", of_cut=of_cut), "d", demand.d, "m")
     yield from concrete_in_shear(concrete, demand.d)
     v_c, clause = demand.without_links / PHI_SHEAR / MEGA, "Table 22.5.5.1 (c), 22.5.5.1.1"
     if demand.rho is None:

@@ -22,6 +22,7 @@ from groundslab.design.basis.punching import judged, with_the_rest, with_way
 from groundslab.design.basis.wall_ends import NO_WALL, loaded_ends
 from groundslab.design.demands.perimeter_loads import punching_piles
 from groundslab.design.demands.zones.thicker_zones import NONE, zone_forces
+from groundslab.messages import Message, Name
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.results import Results
 
@@ -62,9 +63,15 @@ def _worst(demands: list[TwoWay], steel: Reinforcement, name: str) -> DesignChec
     beside = [each for each in demands if each.combination == demand.combination]
     error = error_of_ratio((each.v_u, strength(each, steel), each.error) for each in beside)
     v_u, resistance = max(demand.v_u, 0.0), strength(demand, steel)
-    words = (
-        f'{demand.name} in "{demand.combination}": v_u {v_u / 1e6:.3g} MPa on b_o {demand.b_o:.2f} m is '
-        f"{v_u / resistance:.3g} times phi v_c {resistance / 1e6:.3g} MPa (22.6.5.2)"
+    words = Message(
+        '{name} in "{combination}": v_u {v_u:.3g MPa} on b_o {b_o:.2f m} is {v_u_2:.3g} times phi v_c '
+        "{resistance:.3g MPa} (22.6.5.2)",
+        name=Name(demand.name),
+        combination=Name(demand.combination),
+        v_u=v_u / 1e6,
+        b_o=demand.b_o,
+        v_u_2=v_u / resistance,
+        resistance=resistance / 1e6,
     )
     status: Status = "no failure found"
     if v_u > resistance:
@@ -74,10 +81,14 @@ def _worst(demands: list[TwoWay], steel: Reinforcement, name: str) -> DesignChec
         status = "fails" if v_u > most or thin else "attention"
         per_meter = aci318.links(v_u, demand.d, demand.b_o, concrete, bars)
         words += (
-            f"; stirrups do not suffice, as they bear at most {most / 1e6:.3g} MPa (22.6.6.3)" if v_u > most
-            else "; too thin for stirrups (22.6.7.1)" if thin
-            else f"; stirrups of A_v/s {per_meter * 1e4:.3g} cm2/m are needed around it (22.6.7.2)"
-        )  # fmt: skip
+            Message("; stirrups do not suffice, as they bear at most {most:.3g MPa} (22.6.6.3)", most=most / 1e6)
+            if v_u > most
+            else "; too thin for stirrups (22.6.7.1)"
+            if thin
+            else Message(
+                "; stirrups of A_v/s {per_meter:.3g cm2/m} are needed around it (22.6.7.2)", per_meter=per_meter * 1e4
+            )
+        )
     return DesignCheck(
         name, status, words, of=demand.name, demand=v_u / 1e6, resistance=resistance / 1e6, unit="MPa",
         clause="ACI 318-19 22.6.5.2, 8.4.4.2", combination=demand.combination, place=demand.place,

@@ -26,6 +26,7 @@ from groundslab.design.basis.punching import (
     missing_notes,
     pulled_notes,
 )
+from groundslab.messages import Message
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.results import Results
 
@@ -56,9 +57,12 @@ def _columns(
     """Return the columns of demands, and their notes."""
     known, missing = demands
     notes = (
-        f"Two-way shear by ACI 318-19 22.6.5.2 and 8.4.4.2, in ultimate combinations: V_u = {RELIEF[support]}, on the "
-        "critical section at d / 2, v_u with the moments of all forces inside about its center, on principal axes. "
-        "Other supports inside are not counted.",
+        Message(
+            "Two-way shear by ACI 318-19 22.6.5.2 and 8.4.4.2, in ultimate combinations: V_u = {relief}, on "
+            "the critical section at d / 2, v_u with the moments of all forces inside about its center, on "
+            "principal axes. Other supports inside are not counted.",
+            relief=RELIEF[support],
+        ),
         effective_note("J_c"),
         edge_note(steel, support),
         f"{DEPTH[support]} {THINNER}",

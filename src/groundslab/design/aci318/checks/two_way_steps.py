@@ -24,6 +24,7 @@ from groundslab.design.aci318.materials import PHI_SHEAR, Concrete, Steel
 from groundslab.design.basis.calculation import MEGA, SAME, Pushing, Step, punching_force
 from groundslab.design.basis.design_code import Calculation
 from groundslab.design.demands.perimeters import SketchedPerimeter
+from groundslab.messages import Message
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.results import Results
 
@@ -81,7 +82,11 @@ def _steps(demand: TwoWay, steel: Reinforcement, one: Pushing | None) -> Iterato
         yield from punching_force((one, demand.pulls), ("N_u", "V_u"), inside, demand.V_u, "22.6.4.1")
     yield Step("effective depth", "d", demand.d, "m", clause="22.6.2.1")
     thinned = demand.line is not None and demand.b_o < (1 - SAME) * demand.line.u
-    words = f"length of the critical section, less edges and openings{', less in thinner slab' if thinned else ''}"
+    words = (
+        "length of the critical section, less edges and openings, less in thinner slab"
+        if thinned
+        else "length of the critical section, less edges and openings"
+    )
     yield Step(words, "b_o", demand.b_o, "m", clause="22.6.4")
     if demand.transfer is not None:
         yield from _transfer(demand.transfer)
@@ -122,12 +127,16 @@ def _stirrups(demand: TwoWay, concrete: Concrete, bars: Steel) -> Iterator[Step]
 def _transfer(transfer: aci318.Transfer) -> Iterator[Step]:
     """Yield the moments that shear transfers, at the place where v_u is largest."""
     for n, extent in zip((1, 2), transfer.extents, strict=True):
-        yield Step(f"extent of the whole section along axis {n}", f"b_{n}", float(extent), "m", clause="8.4.2.2.2")
+        yield Step(
+            Message("extent of the whole section along axis {n}", n=n), f"b_{n}", float(extent), "m", clause="8.4.2.2.2"
+        )
     parts = zip((1, 2), transfer.moments, transfer.shares, transfer.places, transfer.J, strict=True)
     for n, moment, share, place, J in parts:
-        words = f"moment of all forces by their places along axis {n}"
+        words = Message("moment of all forces by their places along axis {n}", n=n)
         yield Step(words, f"M_{n}", float(moment) / MEGA, "MNm", clause="8.4.4.2.3")
         formula = aci318.FORMULAS[f"gamma_v{n}"]
         yield Step("share of it that shear transfers", f"gamma_v{n}", float(share), "", formula, "8.4.4.2.2")
-        yield Step(f"place of the largest stress along axis {n}", f"c_{n}", float(place), "m", clause="8.4.4.2.3")
-        yield Step(f"J_c along axis {n}", f"J_{n}", float(J), "m4", clause="R8.4.4.2.3")
+        yield Step(
+            Message("place of the largest stress along axis {n}", n=n), f"c_{n}", float(place), "m", clause="8.4.4.2.3"
+        )
+        yield Step(Message("J_c along axis {n}", n=n), f"J_{n}", float(J), "m4", clause="R8.4.4.2.3")

@@ -12,6 +12,7 @@ from groundslab.design.basis.check import DesignCheck
 from groundslab.design.basis.combinations import solved_results
 from groundslab.design.basis.demand_errors import error_of, scaled
 from groundslab.design.demands.edge_strip import line_force_share, strip_width
+from groundslab.messages import Message, Name
 from groundslab.results.results import Results
 
 #: Share of the ground's force above which the edge's line force is named.
@@ -31,9 +32,13 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
         return
     relieves = model.reinforcement is not None and model.reinforcement.line_force_relieves
     effect = "it relieves shear and punching, as the case specifies" if relieves else "it relieves no check"
-    words = (
-        f'{100 * share:.3g} % of the load in "{worst.combination}" is carried by the line force along the edge, '
-        f"which follows from k1 (strip of {strip_width(worst):.3g} m); {effect}; compare the ground models"
+    words = Message(
+        '{share:.3g} % of the load in "{combination}" is carried by the line force along the edge, which '
+        "follows from k1 (strip of {strip_width:.3g m}); {effect}; compare the ground models",
+        share=100 * share,
+        combination=Name(worst.combination),
+        strip_width=strip_width(worst),
+        effect=effect,
     )
     yield DesignCheck(
         "edge line force", "attention", words, demand=100 * share, resistance=100 * MOST, unit="%",

@@ -23,6 +23,7 @@ from groundslab.design.demands.perimeters import Perimeter, ZoneFootprint, area_
 from groundslab.fem.mesh import SIDES
 from groundslab.geometry.places import same_place
 from groundslab.geometry.rectangles import direction_at
+from groundslab.messages import Message, Name
 from groundslab.model.plates.further import first_sections
 from groundslab.model.structure.columns import Column
 from groundslab.results.results import CombinationResult, Results
@@ -123,7 +124,9 @@ def zone_forces(combined: Results) -> tuple[ZoneForce, ...]:
     forces = (*punching_columns(combined.solved_model), *punching_piles(combined.model))
     sections = first_sections(combined.model.every_plate)
     zones = [
-        _called(zone, f"{zone.name} of {plate}") if combined.model.plates else zone
+        _called(zone, Message("{name} of {plate}", name=Name(zone.name), plate=plate))
+        if combined.model.plates
+        else zone
         for (plate, results), section in zip(split_by_plate(first).items(), sections, strict=True)
         for zone in _zones(results, forces, section)
     ]
@@ -135,7 +138,9 @@ def _told_apart(zone: ZoneForce) -> ZoneForce:
     """Return a zone whose name says which columns are on it."""
     names = zone.columns[:MOST_NAMED]
     more = " ..." if len(zone.columns) > MOST_NAMED else ""
-    return _called(zone, f"{zone.name} at {listed(names, 'and')}{more}")
+    return _called(
+        zone, Message("{name} at {listed}{more}", name=Name(zone.name), listed=listed(names, "and"), more=more)
+    )
 
 
 def _called(zone: ZoneForce, name: str) -> ZoneForce:

@@ -28,6 +28,7 @@ from groundslab.design.eurocode2.bent_bars import (
 )
 from groundslab.design.eurocode2.cracked_sections import Bars
 from groundslab.design.eurocode2.first_cracks import FirstCracks, check_first_cracks
+from groundslab.messages import Message
 from groundslab.model.design.laid_bars import LaidBars, bars_of
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.fields import LAYERS
@@ -100,7 +101,7 @@ def _cover(steel: Reinforcement) -> DesignCheck:
     least = {layer: [least_cover(steel, bars.diameter) or 0.0 for bars in bars_of(steel, layer)] for layer in LAYERS}
     where = (
         "in any exposure (bond, 4.4.1.2(3)); durability is not checked without exposure" if exposure is None
-        else f"in {exposure}, structural class S4, not cast against the ground (4.4.1)"
+        else Message("in {exposure}, structural class S4, not cast against the ground (4.4.1)", exposure=exposure)
     )  # fmt: skip
 
     def why(_: str, diameter: float) -> Iterator[Step]:

@@ -12,6 +12,7 @@ from groundslab.design.basis.check import DesignCheck
 from groundslab.design.basis.combinations import ultimate_results
 from groundslab.design.demands.design_moments import design_moments
 from groundslab.design.en1992.annex import annex_of
+from groundslab.messages import Message, Name
 from groundslab.model.design.laid_bars import LaidBars
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.fields import place_of
@@ -38,11 +39,25 @@ def spacing_where_bent_most(combined: Results, steel: Reinforcement, laid: dict[
     holds, name = spacing <= most, layer.replace("_", " ")
     x, y = place_of(results[0].plate.nodes, node)
     return DesignCheck(
-        "distance of bars where bent most", "no failure found" if holds else "attention",
-        f"{name}: {spacing:.4g} {'<=' if holds else '>'} {most:.4g} mm at ({x:.3f}, {y:.3f}) m, {where} (9.3.1.1(3))",
-        of=name, demand=spacing, resistance=most, unit="mm", clause="EN 1992-1-1 9.3.1.1(3)", place=(x, y),
+        "distance of bars where bent most",
+        "no failure found" if holds else "attention",
+        Message(
+            "{name}: {spacing:.4g (mm)} {sign} {most:.4g mm} at {place:.3f m}, {where} (9.3.1.1(3))",
+            name=Name(name),
+            spacing=spacing,
+            sign="<=" if holds else ">",
+            most=most,
+            place=(x, y),
+            where=where,
+        ),
+        of=name,
+        demand=spacing,
+        resistance=most,
+        unit="mm",
+        clause="EN 1992-1-1 9.3.1.1(3)",
+        place=(x, y),
         steps=tuple(spacing_steps(float(thickness[node]), spacing, most, limits, "9.3.1.1(3)")),
-    )  # fmt: skip
+    )
 
 
 def _places(combined: Results, results: list[CombinationResult]) -> Iterator[tuple[str, int, str]]:
@@ -58,4 +73,4 @@ def _places(combined: Results, results: list[CombinationResult]) -> Iterator[tup
     for column in combined.model.columns:
         node = int(np.argmin(((nodes - (column.x, column.y)) ** 2).sum(axis=1)))
         for layer in ("bottom_x", "bottom_y"):
-            yield layer, node, f"under {column.name}"
+            yield layer, node, Message("under {name}", name=Name(column.name))

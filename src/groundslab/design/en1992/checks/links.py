@@ -56,6 +56,7 @@ from groundslab.design.punching_links.demand import (
     rounded_down,
     rounded_up,
 )
+from groundslab.messages import Message
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.results import CombinationResult, Results
 
@@ -193,11 +194,13 @@ def _refused(steel: Reinforcement, found: list[Demand], thickness: float, *, at_
         most = en1992.max_resistance(concrete)
         face = demand.face
         if most is not None and face is not None and face.v_Ed > most and not face.supported:
-            return f"links do not help: v_Ed is {face.v_Ed / most:.3g} v_Rd,max at the face (6.4.5(3))"
+            return Message(
+                "links do not help: v_Ed is {v_Ed:.3g} v_Rd,max at the face (6.4.5(3))", v_Ed=face.v_Ed / most
+            )
         for _, stress, limit in limited_with_links(demand, concrete.annex, at_face=at_face):
             if stress.v_Ed > limit and not stress.supported:
                 k_max = concrete.annex.k_max
-                return f"links do not suffice: v_Ed is more than {k_max:g} v_Rd,c (6.4.5(1))"
+                return Message("links do not suffice: v_Ed is more than {k_max:g} v_Rd,c (6.4.5(1))", k_max=k_max)
     return "the slab is thinner than 200 mm, too thin for links (9.3.2(1))" if thickness < LEAST_THICKNESS else ""
 
 

@@ -14,6 +14,7 @@ from groundslab.design.demands.perimeter_loads import Reach
 from groundslab.design.en1992 import shear
 from groundslab.design.en1992.case_materials import largest_cover, materials
 from groundslab.design.en1992.checks.governing_perimeters import demands, pile_demands, zone_demands
+from groundslab.messages import Message
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.results import Results
 
@@ -40,9 +41,14 @@ def struts_fail(steel: Reinforcement, limit_state: str, v: float, d: float) -> b
 def check(steel: Reinforcement, demand: ShearDemand) -> DesignCheck:
     """Return the check at the place that governs."""
     which = "provided" if steel.laid else "needed for bending"
-    words = (
-        f"v_Ed {demand.v / 1e3:.4g} kN/m at {demand.where} is {demand.used:.3g} times v_Rd,c "
-        f"{demand.without_links / 1e3:.4g} kN/m with the bars {which} (6.2.2)"
+    words = Message(
+        "v_Ed {v:.4g kN/m} at {where} is {used:.3g} times v_Rd,c {without_links:.4g kN/m} with the bars "
+        "{which} (6.2.2)",
+        v=demand.v / 1e3,
+        where=demand.where,
+        used=demand.used,
+        without_links=demand.without_links / 1e3,
+        which=which,
     )
     status: Status = "no failure found"
     if demand.used > 1:
@@ -55,7 +61,7 @@ def check(steel: Reinforcement, demand: ShearDemand) -> DesignCheck:
             "; links do not suffice at the load there (6.2.1(8))" if demand.at_support
             else "; links do not suffice (6.2.3(3))" if np.isinf(area)
             else "; too thin for links (9.3.2(1))" if thin
-            else f"; links of {area * 1e4:.3g} cm2/m2 are needed there (6.2.3)"
+            else Message("; links of {area:.3g cm2/m2} are needed there (6.2.3)", area=area * 1e4)
         )  # fmt: skip
     return demand.check(status, words, "EN 1992-1-1 6.2.2, 6.2.3", _steps(steel, demand))
 

@@ -19,6 +19,7 @@ from groundslab.design.en1992.case_materials import materials
 from groundslab.design.en1992.checks.governing_perimeters import CUT, demands, pile_demands, zone_demands
 from groundslab.design.en1992.checks.punching_demand import LAST_LINKS, TOO_FAR, Demand, Demands, Stress, outer
 from groundslab.design.en1992.checks.wall_ends import wall_demands
+from groundslab.messages import Clause, Message, Name
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.results import Results
 
@@ -141,8 +142,8 @@ def _judged_within_2d(
     """Return the check of perimeters without links, and of those on which links are limited."""
     name = names.within
     which = "the bars provided" if steel.laid else "the largest ratio that counts"
-    limit = f"{materials(steel)[0].annex.k_max:g} v_Rd,c with {which}"
-    without = _punching(name, names, f"v_Rd with {which}", there, punched, "attention", "6.4.4(2)")
+    limit = Message("{k_max:g} v_Rd,c with {which}", k_max=materials(steel)[0].annex.k_max, which=which)
+    without = _punching(name, names, Message("v_Rd with {which}", which=which), there, punched, "attention", "6.4.4(2)")
     needing = [each for each in there if each.share > 1]
     if most:
         with_links = _punching(name, names, limit, most, punched, "fails", "6.4.5(1)")
@@ -151,15 +152,29 @@ def _judged_within_2d(
             return replace(with_links, words=with_links.words + _more({each.name for each in needing} - beyond, names))
         if with_links.hangs:
             low, high = with_links.between or (0.0, 0.0)
-            words = f"{without.words}; {low:.3g} to {high:.3g} times {limit}, within the error"
+            words = Message(
+                "{text}; {low:.3g} to {high:.3g} times {limit}, within the error",
+                text=without.words,
+                low=low,
+                high=high,
+                limit=limit,
+            )
             without = replace(without, words=words)
     if not needing:
         return without if steel.laid else _without_bars(steel, without, there)
     worst = max(needing, key=_share)
     if outer(worst.demand).is_too_far(worst.demand.d):
-        return replace(without, words=f"punching reinforcement is needed at {without.words}; {TOO_FAR}")
+        return replace(
+            without,
+            words=Message("punching reinforcement is needed at {text}; {too_far}", text=without.words, too_far=TOO_FAR),
+        )
     links, reach = _links(steel, worst), _outer(worst.demand, names)
-    return replace(without, words=f"punching reinforcement is needed at {without.words}; {links}, {reach}")
+    return replace(
+        without,
+        words=Message(
+            "punching reinforcement is needed at {text}; {links}, {reach}", text=without.words, links=links, reach=reach
+        ),
+    )
 
 
 def _share(each: Judged) -> float:
@@ -185,14 +200,27 @@ def _without_bars(steel: Reinforcement, check: DesignCheck, there: list[Judged])
     ratio, demand = max(ratios, key=lambda one: one[0], default=(0.0, None))
     if demand is None or not ratio:
         return check
-    needs = f"{demand.name} needs bars in tension of {100 * ratio:.2g} % of the section, and none are provided"
-    return replace(check, status="attention", words=f"{needs}: {check.words}")
+    needs = Message(
+        "{name} needs bars in tension of {ratio:.2g} % of the section, and none are provided",
+        name=Name(demand.name),
+        ratio=100 * ratio,
+    )
+    return replace(check, status="attention", words=Message("{needs}: {text}", needs=needs, text=check.words))
 
 
 def _more(needing: set[str], names: Names) -> str:
     """Return in words which others need links, beside those that links cannot help."""
-    listed = ", ".join(sorted(needing)[:6]) + (" ..." if len(needing) > 6 else "")
-    return f"; punching reinforcement is needed at {len(needing)} other {names.many}: {listed}" if needing else ""
+    listed = Name(", ".join(sorted(needing)[:6]) + (" ..." if len(needing) > 6 else ""))
+    return (
+        Message(
+            "; punching reinforcement is needed at {number} other {many}: {listed}",
+            number=len(needing),
+            many=names.many,
+            listed=listed,
+        )
+        if needing
+        else ""
+    )
 
 
 def _links(steel: Reinforcement, worst: Judged) -> str:
@@ -201,31 +229,42 @@ def _links(steel: Reinforcement, worst: Judged) -> str:
     concrete, bars = materials(steel, demand.limit_state)
     if concrete.annex.links_alone:
         A_sw = en1992.links_alone(stress.v_Ed * stress.u * demand.d, demand.d, bars.f_yd)
-        return f"there {A_sw * 1e4:.3g} cm2 of vertical links in the two inner rows together (6.4.5(1) of the annex)"
+        return Message(
+            "there {A_sw:.3g cm2} of vertical links in the two inner rows together (6.4.5(1) of the annex)",
+            A_sw=A_sw * 1e4,
+        )
     s_r = concrete.annex.link_rows[1] * demand.d
     first = concrete.annex.link_rows[0] * demand.d
     count = en1992.links_that_count(stress.distance, first, s_r, demand.d)
     A_sw = en1992.links_per_perimeter(stress.v_Ed, resistance, stress.u, demand.d, count, bars.f_yd)
-    return f"there {A_sw * 1e4:.3g} cm2 of vertical links on each perimeter, {s_r:.2f} m apart (6.4.5(1), 9.4.3)"
+    return Message(
+        "there {A_sw:.3g cm2} of vertical links on each perimeter, {s_r:.2f m} apart (6.4.5(1), 9.4.3)",
+        A_sw=A_sw * 1e4,
+        s_r=s_r,
+    )
 
 
 def _outer(demand: Demand, names: Names) -> str:
     """Return in words where links are needed no more."""
     beyond = outer(demand)
-    return (
-        f"to within {LAST_LINKS * demand.d:.2f} m of the perimeter beyond which none are needed, u_out "
-        f"{beyond.u:.2f} m long, {beyond.distance:.2f} m from the {names.one} (6.4.5(4), 6.54)"
+    return Message(
+        "to within {last_links:.2f m} of the perimeter beyond which none are needed, u_out {u:.2f m} "
+        "long, {distance:.2f m} from the {name} (6.4.5(4), 6.54)",
+        last_links=LAST_LINKS * demand.d,
+        u=beyond.u,
+        distance=beyond.distance,
+        name=Name(names.one),
     )
 
 
 def _at(stress: Stress, d: float) -> str:
     """Return where a perimeter runs."""
-    return f" at {stress.distance / d:.2g} d" if stress.distance else ""
+    return Message(" at {distance:.2g} d", distance=stress.distance / d) if stress.distance else ""
 
 
 def _with(stress: Stress) -> str:
     """Return in words how moments count."""
-    return "by moments" if stress.beta is None else f"with beta {stress.beta:.2f}"
+    return "by moments" if stress.beta is None else Message("with beta {beta:.2f}", beta=stress.beta)
 
 
 def _punching(
@@ -248,11 +287,27 @@ def _punching(
     }
     if beyond:
         count = len({each.name for each in beyond})
-        words = (
-            f'{count} {names.many if count > 1 else names.one}; worst {demand.name} in "{demand.combination}": v_Ed '
-            f"{stress.v_Ed / 1e6:.3g} MPa{_at(stress, demand.d)}, {_with(stress)}, is "
-            f"{worst.share:.3g} times {most / 1e6:.3g} MPa, {limit} ({clause})"
+        words = Message(
+            '{count} {many}; worst {name} in "{combination}": v_Ed {v_Ed:.3g MPa}{at}, {moments}, is '
+            "{share:.3g} times {most:.3g MPa}, {limit} ({clause})",
+            count=count,
+            many=names.many if count > 1 else names.one,
+            name=Name(demand.name),
+            combination=Name(demand.combination),
+            v_Ed=stress.v_Ed / 1e6,
+            at=_at(stress, demand.d),
+            moments=_with(stress),
+            share=worst.share,
+            most=most / 1e6,
+            limit=limit,
+            clause=Clause(clause),
         )
         return DesignCheck(name, status, words, **numbers)
-    words = f"v_Ed is at most {100 * max(worst.share, 0.0):.3g} % of {limit}, {demand.name}{_at(stress, demand.d)}"
+    words = Message(
+        "v_Ed is at most {share:.3g} % of {limit}, {name}{at}",
+        share=100 * max(worst.share, 0.0),
+        limit=limit,
+        name=Name(demand.name),
+        at=_at(stress, demand.d),
+    )
     return DesignCheck(name, "no failure found", words, **numbers)

@@ -22,6 +22,7 @@ from groundslab.design.en1992.case_materials import materials
 from groundslab.design.en1992.checks.governing_perimeters import demands, pile_demands, zone_demands
 from groundslab.design.en1992.checks.punching_demand import Demand, Demands
 from groundslab.design.en1992.punching import max_resistance
+from groundslab.messages import Message
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.results import Results
 
@@ -65,9 +66,12 @@ def _columns(combined: Results, steel: Reinforcement, punched: Demands, support:
         "v_Rd,max no reinforcement helps; some annexes have none."
     )
     notes = (
-        f"Punching by EN 1992-1-1 6.4.4(2), in ultimate combinations: V_Ed = {RELIEF[support]}, on the perimeter at "
-        "2 d. v_Ed = beta V_Ed / (u d), beta from the moments of all forces inside about the perimeter's center, 6.51. "
-        "Other supports inside are not counted.",
+        Message(
+            "Punching by EN 1992-1-1 6.4.4(2), in ultimate combinations: V_Ed = {relief}, on the perimeter "
+            "at 2 d. v_Ed = beta V_Ed / (u d), beta from the moments of all forces inside about the "
+            "perimeter's center, 6.51. Other supports inside are not counted.",
+            relief=RELIEF[support],
+        ),
         "a is the distance from the face, up to 2 d, at which v_Ed / v_Rd is largest, v_Rd = v_Rd,c 2 d / a with the "
         "bars provided or the largest ratio that counts.",
         effective_note("W"),

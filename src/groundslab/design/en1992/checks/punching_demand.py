@@ -12,6 +12,7 @@ from groundslab.design.demands.line_properties import Course
 from groundslab.design.demands.perimeter_loads import PerimeterLoads, Reach
 from groundslab.design.demands.perimeters import SketchedPerimeter
 from groundslab.design.en1992.punching import outer_perimeter
+from groundslab.messages import Message
 
 #: How far from the face perimeters reach, over the effective depth.
 REACH = 2.0
@@ -23,7 +24,9 @@ LEAST_GROWTH = 1e-3
 LAST_LINKS = 1.5
 #: No links are farther from the face than this over the effective depth.
 FARTHEST = 10.0
-TOO_FAR = f"links would go on beyond {FARTHEST:g} d from the face, as perimeters hardly grow outwards"
+TOO_FAR = Message(
+    "links would go on beyond {farthest:g} d from the face, as perimeters hardly grow outwards", farthest=FARTHEST
+)
 #: Lengths that differ by a smaller share are the same.
 ROUNDING = 1e-9
 

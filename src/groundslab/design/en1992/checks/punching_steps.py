@@ -28,6 +28,7 @@ from groundslab.design.en1992.checks.punching_demand import (
 )
 from groundslab.design.en1992.checks.wall_ends import wall_demands
 from groundslab.design.en1992.materials import Concrete, Steel
+from groundslab.messages import Message
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.results import Results
 
@@ -86,7 +87,11 @@ def _steps(demand: Demand, stress: Stress, steel: Reinforcement, one: Pushing | 
         yield from punching_force((one, demand.pulls), ("N_Ed", "V_Ed"), inside, stress.V_Ed, "6.4.4(2), 6.48")
     yield Step("distance of the perimeter from the face", "a", stress.distance, "m", clause="6.4.4(2)")
     thinned = stress.control is not None and stress.control.thinned
-    words = f"its length, less edges and openings{', less in thinner slab' if thinned else ''}"
+    words = (
+        "its length, less edges and openings, less in thinner slab"
+        if thinned
+        else "its length, less edges and openings"
+    )
     yield Step(words, "u", stress.u, "m", clause="6.4.2")
     yield Step("effective depth", "d", demand.d, "m", clause="6.4.2(1)")
     if stress.control is not None:
@@ -111,9 +116,9 @@ def _beta(stress: Stress, control: ControlPerimeter, least: float) -> Iterator[S
     bounded = "max(beta_min, {})" if least > 1 else "{}"
     bound = [Step("least factor of the annex", "beta_min", least, clause=LEAST_BETA)] if least > 1 else []
     of_both = [
-        (Step(f"moment of all forces by their places along axis {n}", f"M_{n}", moment / MEGA, "MNm"),
+        (Step(Message("moment of all forces by their places along axis {n}", n=n), f"M_{n}", moment / MEGA, "MNm"),
          Step("share of it that shear transfers", f"k_{n}", share, clause="Table 6.1"),
-         Step(f"modulus of the perimeter along axis {n}", f"W_{n}", W, "m2", clause="6.40"))
+         Step(Message("modulus of the perimeter along axis {n}", n=n), f"W_{n}", W, "m2", clause="6.40"))
         for n, moment, share, W in zip((1, 2), stress.moments, shares, moduli, strict=True)
     ]  # fmt: skip
     if stress.beta is None:

@@ -8,6 +8,7 @@ from groundslab.design.basis.check import DesignCheck
 from groundslab.design.basis.combinations import solved_results
 from groundslab.design.en1992.annex import file_of
 from groundslab.design.en1992.checks.cracks.restraint import without_bars
+from groundslab.messages import Clause, Message
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.results import Results
 
@@ -17,7 +18,11 @@ def remarks(combined: Results, steel: Reinforcement) -> Iterator[DesignCheck]:
     annex = file_of(steel.annex)
     if not annex.complete:
         clauses = ", ".join(dict.fromkeys(parameter["clause"] for parameter in annex.parameters.values()))
-        words = f"only the values of {clauses} are those of {annex.title}; all others are the recommended ones"
+        words = Message(
+            "only the values of {clauses} are those of {title}; all others are the recommended ones",
+            clauses=Clause(clauses),
+            title=annex.title,
+        )
         yield DesignCheck("national parameters", "attention", words)
     if steel.restraint is not None and not steel.laid:
         results = solved_results(combined)[0]

@@ -18,6 +18,7 @@ from groundslab.design.en1992 import punching as en1992
 from groundslab.design.en1992.case_materials import materials
 from groundslab.design.en1992.checks.punching_demand import Demand, Demands, Stress
 from groundslab.design.en1992.perimeters import openings, share_of_thinner
+from groundslab.messages import Message
 from groundslab.model.design.laid_bars import punching_ratio
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.results import Results
@@ -83,10 +84,13 @@ def at_walls(combined: Results, _: Reinforcement) -> PunchingColumns:
         _HEADS,
         lambda combination, name: _cells(punched.found.get((combination, name))),
         (
-            "Punching by EN 1992-1-1 6.4.4(2), in ultimate combinations: V_Ed is the shear force of the slab across "
-            f"the perimeter at the distance a from the wall's faces, {STEPS[0]:g} d to 2 d, at which v_Ed / v_Rd is "
-            "largest. v_Ed = beta V_Ed / (u d), v_Rd = v_Rd,c 2 d / a with the bars provided or the largest ratio that "
-            "counts.",
+            Message(
+                "Punching by EN 1992-1-1 6.4.4(2), in ultimate combinations: V_Ed is the shear force of the slab "
+                "across the perimeter at the distance a from the wall's faces, {steps:g} d to 2 d, at which v_Ed "
+                "/ v_Rd is largest. v_Ed = beta V_Ed / (u d), v_Rd = v_Rd,c 2 d / a with the bars provided or "
+                "the largest ratio that counts.",
+                steps=STEPS[0],
+            ),
             "Perimeters and beta, 1.35 at ends and 1.20 at corners, are those of DIN EN 1992-1-1/NA, Figures NA.6.12.1 "
             "and NA.6.21.1, with every annex: quarter circles, straight pieces across the end and a_1 / 2 along both "
             "sides; at corners those along the outer faces.",

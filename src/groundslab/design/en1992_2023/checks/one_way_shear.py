@@ -18,6 +18,7 @@ from groundslab.design.en1992_2023.checks.concrete_steps import in_shear
 from groundslab.design.en1992_2023.checks.punching import LEAST_WITH_LINKS
 from groundslab.design.en1992_2023.checks.punching_demand import column_demands, pile_demands, zone_demands
 from groundslab.design.eurocode2.struts import LEVER
+from groundslab.messages import Message
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.results import Results
 
@@ -47,9 +48,14 @@ def struts_fail(steel: Reinforcement, limit_state: str, v: float, d: float) -> b
 def check(steel: Reinforcement, demand: ShearDemand) -> DesignCheck:
     """Return the check at the place that governs."""
     which = "provided" if steel.laid else "needed for bending"
-    words = (
-        f"v_Ed {demand.v / 1e3:.4g} kN/m at {demand.where} is {demand.used:.3g} times v_Rd,c = tau_Rd,c z "
-        f"{demand.without_links / 1e3:.4g} kN/m with the bars {which} (8.2.2)"
+    words = Message(
+        "v_Ed {v:.4g kN/m} at {where} is {used:.3g} times v_Rd,c = tau_Rd,c z {without_links:.4g kN/m} "
+        "with the bars {which} (8.2.2)",
+        v=demand.v / 1e3,
+        where=demand.where,
+        used=demand.used,
+        without_links=demand.without_links / 1e3,
+        which=which,
     )
     status: Status = "no failure found"
     if demand.used > 1:
@@ -63,7 +69,7 @@ def check(steel: Reinforcement, demand: ShearDemand) -> DesignCheck:
             "; links do not suffice at the load there (8.2.3)" if demand.at_support
             else "; links do not suffice (8.2.3, 8.44)" if np.isinf(area)
             else "; too thin for links (12.4.2(2))" if thin
-            else f"; links of {area * 1e4:.3g} cm2/m2 are needed there (8.2.3)"
+            else Message("; links of {area:.3g cm2/m2} are needed there (8.2.3)", area=area * 1e4)
         )  # fmt: skip
     return demand.check(status, words, "EN 1992-1-1:2023 8.2.2, 8.2.3", _steps(steel, demand))
 

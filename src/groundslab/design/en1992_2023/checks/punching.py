@@ -24,6 +24,7 @@ from groundslab.design.en1992_2023.checks.punching_demand import (
 )
 from groundslab.design.en1992_2023.checks.wall_ends import wall_demands
 from groundslab.design.punching_links.demand import LinkDemand, Support
+from groundslab.messages import Message, Name
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.results import Results
 
@@ -116,11 +117,27 @@ def _worst(judged: list[Punching], steel: Reinforcement, name: str) -> DesignChe
     demand = max(failing or judged, key=lambda each: each.used)
     beside = [each for each in judged if each.combination == demand.combination]
     error = error_of_ratio((each.tau_Ed, each.resistance, each.error) for each in beside)
-    which = "the bars provided" if steel.laid else f"bars of {100 * en1992.MOST_BARS:g} %, the most that count"
-    least = " = tau_Rdc,min (8.4.1(2))" if demand.tau_min > demand.tau_Rd_c else f" = tau_Rd,c with {which} (8.4.3)"
-    words = (
-        f'{demand.name} in "{demand.combination}": tau_Ed {demand.tau_Ed / 1e6:.3g} MPa on b_0.5 {demand.b_05:.2f} m, '
-        f"{_with(demand)}, is {demand.used:.3g} times {demand.resistance / 1e6:.3g} MPa{least}"
+    which = (
+        "the bars provided"
+        if steel.laid
+        else Message("bars of {most_bars:g} %, the most that count", most_bars=100 * en1992.MOST_BARS)
+    )
+    least = (
+        " = tau_Rdc,min (8.4.1(2))"
+        if demand.tau_min > demand.tau_Rd_c
+        else Message(" = tau_Rd,c with {which} (8.4.3)", which=which)
+    )
+    words = Message(
+        '{name} in "{combination}": tau_Ed {tau_Ed:.3g MPa} on b_0.5 {b_05:.2f m}, {moments}, is {used:.3g} '
+        "times {resistance:.3g MPa}{least}",
+        name=Name(demand.name),
+        combination=Name(demand.combination),
+        tau_Ed=demand.tau_Ed / 1e6,
+        b_05=demand.b_05,
+        moments=_with(demand),
+        used=demand.used,
+        resistance=demand.resistance / 1e6,
+        least=least,
     )
     if demand.concentrated:
         words += "; tau_Ed is not less than by the shear forces of the analysis, as a large force is near (8.4.2(8))"
@@ -130,7 +147,11 @@ def _worst(judged: list[Punching], steel: Reinforcement, name: str) -> DesignChe
         words += more
     elif not steel.laid and demand.tau_Ed > demand.tau_min:
         ratio = en1992.MOST_BARS * max(demand.tau_Ed / demand.tau_Rd_c, 0.0) ** 3
-        words = f"needs bars in tension of {100 * ratio:.2g} % of the section, and none are provided: {words}"
+        words = Message(
+            "needs bars in tension of {ratio:.2g} % of the section, and none are provided: {text}",
+            ratio=100 * ratio,
+            text=words,
+        )
         status = "attention"
     return DesignCheck(
         name, status, words, of=demand.name, demand=max(demand.tau_Ed, 0.0) / 1e6, resistance=demand.resistance / 1e6,
@@ -141,7 +162,7 @@ def _worst(judged: list[Punching], steel: Reinforcement, name: str) -> DesignChe
 
 def _with(demand: Punching) -> str:
     """Return in words how moments count."""
-    return "by moments" if demand.beta_e is None else f"with beta_e {demand.beta_e:.2f}"
+    return "by moments" if demand.beta_e is None else Message("with beta_e {beta_e:.2f}", beta_e=demand.beta_e)
 
 
 def _beyond_links(demand: Punching, steel: Reinforcement) -> float:
@@ -158,10 +179,21 @@ def _with_links(demand: Punching, steel: Reinforcement) -> tuple[Status, str]:
     if math.isinf(beyond):
         return "fails", "; the slab is too thin for links (12.4.2(2))"
     links = links_needed(demand, steel, outermost_depth(demand, steel))
-    most = f"{links.tau_Ed / 1e6:.3g} MPa with links is {beyond:.3g} times tau_Rd,max {links.tau_max / 1e6:.3g} MPa"
+    most = Message(
+        "{tau_Ed:.3g MPa} with links is {beyond:.3g} times tau_Rd,max {tau_max:.3g MPa}",
+        tau_Ed=links.tau_Ed / 1e6,
+        beyond=beyond,
+        tau_max=links.tau_max / 1e6,
+    )
     if beyond > 1:
-        return "fails", f"; links do not suffice: {most} (8.4.4(5))"
+        return "fails", Message("; links do not suffice: {most} (8.4.4(5))", most=most)
     return "attention", (
-        f"; links of {links.rho_w * 1e4:.3g} cm2/m2 around it are needed, of {1e3 * links.phi_w:.3g} mm or thinner "
-        f"(8.104), {most}, out to b_0.5,out {links.b_out:.2f} m (8.112); their spacing (12.5.1) is not checked"
+        Message(
+            "; links of {rho_w:.3g cm2/m2} around it are needed, of {phi_w:.3g mm} or thinner (8.104), "
+            "{most}, out to b_0.5,out {b_out:.2f m} (8.112); their spacing (12.5.1) is not checked",
+            rho_w=links.rho_w * 1e4,
+            phi_w=1e3 * links.phi_w,
+            most=most,
+            b_out=links.b_out,
+        )
     )

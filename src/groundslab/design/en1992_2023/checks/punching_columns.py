@@ -24,6 +24,7 @@ from groundslab.design.en1992_2023.checks.punching_demand import (
     zone_demands,
 )
 from groundslab.design.en1992_2023.checks.remarks import SECOND_HAND
+from groundslab.messages import Message
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.results import Results
 
@@ -53,9 +54,13 @@ def _columns(combined: Results, steel: Reinforcement, demands: Demands, support:
     """Return the columns of demands, and their notes."""
     known, missing = demands
     notes = (
-        f"Punching by EN 1992-1-1:2023 8.4, in ultimate combinations: V_Ed = {RELIEF[support]}, of what acts up to "
-        "0.67 d_v from the face, as without links; tau_Ed = beta_e V_Ed / (b_0.5 d_v) on b_0.5 at d_v / 2, beta_e of "
-        "Table 8.3, refined, by the support's own force and moments. Other supports inside are not counted.",
+        Message(
+            "Punching by EN 1992-1-1:2023 8.4, in ultimate combinations: V_Ed = {relief}, of what acts up to "
+            "0.67 d_v from the face, as without links; tau_Ed = beta_e V_Ed / (b_0.5 d_v) on b_0.5 at d_v / "
+            "2, beta_e of Table 8.3, refined, by the support's own force and moments. Other supports inside "
+            "are not counted.",
+            relief=RELIEF[support],
+        ),
         "tau_Ed by 8.93 is the largest mean over 2 d_v of the plate's shear forces along b_0.5, over d_v. It counts "
         "where another column with a fifth of V_Ed or more is closer than 3 d_v (8.4.2(8)).",
         "Of straight parts of b_0.5 and of b_0 at the face 3 d_v count (8.4.2(3)), and nothing between the tangents to "

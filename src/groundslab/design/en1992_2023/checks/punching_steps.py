@@ -22,6 +22,7 @@ from groundslab.design.en1992_2023.checks.punching_demand import (
     zone_demands,
 )
 from groundslab.design.en1992_2023.checks.wall_ends import wall_demands
+from groundslab.messages import Message, Name
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.results import Results
 
@@ -106,15 +107,29 @@ def _beta(demand: Punching, section: CriticalSection, one: Pushing) -> Iterator[
     """Yield how beta_e follows from the support's eccentricity, or what moments add where nothing pushes."""
     if demand.beta_e is None:
         for n, M, width in zip((1, 2), demand.eccentricities, section.widths, strict=True):
-            yield Step(f"moment of all forces by their places along axis {n}", f"M_{n}", M / MEGA, "MNm")
-            yield Step(f"overall width of the perimeter along axis {n}", f"b_{n}", width, "m", clause="Figure 8.21")
+            yield Step(Message("moment of all forces by their places along axis {n}", n=n), f"M_{n}", M / MEGA, "MNm")
+            yield Step(
+                Message("overall width of the perimeter along axis {n}", n=n),
+                f"b_{n}",
+                width,
+                "m",
+                clause="Figure 8.21",
+            )
         M_b = en1992.eccentricity(section.course.shape, *demand.eccentricities)
         formula = F[f"e_b {_kind(section)}"].replace("e_", "M_")
         yield Step("moment that counts", "M_b", M_b / MEGA, "MNm", formula, "Table 8.3")
         return
     for n, e, width in zip((1, 2), demand.eccentricities, section.widths, strict=True):
-        yield Step(f"eccentricity of the {one}'s force along axis {n}", f"e_{n}", e, "m", clause="Table 8.3")
-        yield Step(f"overall width of the perimeter along axis {n}", f"b_{n}", width, "m", clause="Figure 8.21")
+        yield Step(
+            Message("eccentricity of the {name}'s force along axis {n}", name=Name(one), n=n),
+            f"e_{n}",
+            e,
+            "m",
+            clause="Table 8.3",
+        )
+        yield Step(
+            Message("overall width of the perimeter along axis {n}", n=n), f"b_{n}", width, "m", clause="Figure 8.21"
+        )
     e_b = en1992.eccentricity(section.course.shape, *demand.eccentricities)
     yield Step("eccentricity that counts", "e_b", e_b, "m", F[f"e_b {_kind(section)}"], "Table 8.3")
     yield Step("factor of concentrated shear", "beta_e", demand.beta_e, "", F["beta_e"], "8.4.2(6), Table 8.3")

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from groundslab.design.basis.check import DesignCheck
+from groundslab.messages import Message
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.results import Results
 
@@ -17,7 +18,10 @@ SECOND_HAND = (
 
 def remarks(_: Results, __: Reinforcement) -> Iterator[DesignCheck]:
     """Yield that the formulas were read second hand, and what of the standard is not checked."""
-    words = f"{SECOND_HAND}; docs/theory.md lists them, to be checked against the standard and its national annex"
+    words: str = Message(
+        "{second_hand}; docs/theory.md lists them, to be checked against the standard and its national annex",
+        second_hand=SECOND_HAND,
+    )
     yield DesignCheck("formulas of the code", "attention", words)
     words = (
         "durability by exposure resistance classes (clause 6.4), fatigue (10), anchorage and laps (11), detailing of "

@@ -8,6 +8,7 @@ from groundslab.design.basis.combinations import solved_results
 from groundslab.design.beam_bars import BeamNeed, beam_needs
 from groundslab.design.codes import code_of
 from groundslab.design.tables.table import Cell, Table, table_of
+from groundslab.messages import Clause, Message, Name
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.record import BeamResult
 from groundslab.results.results import Results
@@ -71,9 +72,14 @@ def beam_reinforcement(combined: Results, steel: Reinforcement) -> Table:
     code = code_of(steel)
     assert code.beams is not None
     notes = (
-        f"By {code.name} {code.beams.clauses}, {code.beams.web_clauses}, over all ultimate combinations, in addition "
-        "to the slab's bars. Moments and shear forces of ribs are those of the T or L: with the slab's own over the "
-        "effective width.",
+        Message(
+            "By {name} {clauses}, {web_clauses}, over all ultimate combinations, in addition to the slab's "
+            "bars. Moments and shear forces of ribs are those of the T or L: with the slab's own over the "
+            "effective width.",
+            name=Name(code.name),
+            clauses=Clause(code.beams.clauses),
+            web_clauses=Clause(code.beams.web_clauses),
+        ),
         "Links carry the shear force at d from the faces of columns and supports that press on a rib from the side "
         "away from the slab, and at all others up to the face. Torsional moments count from d from the beam's ends.",
         "Bars of a flange are those across the rib, at both faces together, that carry the shear between web and "

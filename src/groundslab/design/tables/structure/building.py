@@ -9,6 +9,7 @@ from groundslab.design.basis.combinations import solved_results
 from groundslab.design.demands.loads.column_loads import by_column, factors_of
 from groundslab.design.demands.loads.wall_loads import loads_on_wall
 from groundslab.design.tables.table import Cell, Table, table_of
+from groundslab.messages import Message
 from groundslab.model.model import Model
 from groundslab.results.results import CombinationResult, Results
 
@@ -24,8 +25,11 @@ _NOTES = (
     "building's stiffness adds as the slab settles, downwards positive. All changes together are in equilibrium.",
 )
 _STOREYS = (
-    "Changes by the lowest storeys alone, with the contact of all of them. Storeys matter until every change is within "
-    f"{100 * MATTERS:.0f} % of the largest one of all storeys.",
+    Message(
+        "Changes by the lowest storeys alone, with the contact of all of them. Storeys matter until "
+        "every change is within {matters:.0f} % of the largest one of all storeys.",
+        matters=100 * MATTERS,
+    ),
 )
 
 
@@ -46,8 +50,12 @@ def storey_table(combined: Results) -> Table:
     """Return what the lowest storeys alone would add, column by column, and how many matter."""
     first = next((results.bases[0].by_storeys for results in solved_results(combined)), np.zeros((1, 0)))
     counts = range(1, first.shape[1] + 1)
-    heads = [("combination", ""), ("base", ""), *((f"change by {_storeys(n)}", "kN") for n in counts),
-             ("storeys that matter", "")]  # fmt: skip
+    heads = [
+        ("combination", ""),
+        ("base", ""),
+        *((Message("change by {storeys}", storeys=_storeys(n)), "kN") for n in counts),
+        ("storeys that matter", ""),
+    ]
     rows: list[list[Cell]] = []
     for results in solved_results(combined):
         changes = np.concatenate([base.by_storeys for base in results.bases])
@@ -65,7 +73,7 @@ def storeys_that_matter(changes: Array) -> int:
 
 def _storeys(count: int) -> str:
     """Return a number of storeys in words."""
-    return f"{count} storey" if count == 1 else f"{count} storeys"
+    return Message("{count} storey", count=count) if count == 1 else Message("{count} storeys", count=count)
 
 
 def _on_rigid_base(model: Model, name: str, results: CombinationResult) -> float:

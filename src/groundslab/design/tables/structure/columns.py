@@ -12,6 +12,7 @@ from groundslab.design.demands.loads import column_loads
 from groundslab.design.tables.punching import extremes_of_punching, punching_at_columns
 from groundslab.design.tables.table import Cell, Head, Table, table_of
 from groundslab.design.tilt import settlement_differences
+from groundslab.messages import Message
 from groundslab.model.axes.crossings import name_of_crossing
 from groundslab.model.loads.load_cases import SERVICEABILITY, STRENGTH
 from groundslab.model.structure.columns import Column
@@ -100,9 +101,9 @@ def _sources(wanted: list[tuple[str, str, int, bool]], columns: Table) -> tuple[
         what = f"{'greatest' if sign > 0 else 'least'} {quantity}"
         shown.append((number, (what, unit), quantity))
         if named:
-            shown.append((number, (f"combination of the {what}", ""), "combination"))
+            shown.append((number, (Message("combination of the {what}", what=what), ""), "combination"))
         if quantity in errors:
-            of_shown.append((number, (f"error of {what}", unit), errors[quantity]))
+            of_shown.append((number, (Message("error of {what}", what=what), unit), errors[quantity]))
     return shown, of_shown
 
 

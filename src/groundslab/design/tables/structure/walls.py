@@ -7,6 +7,7 @@ from groundslab.design.codes import code_of
 from groundslab.design.demands.loads.wall_loads import loads_on_wall, settlement_along
 from groundslab.design.tables.table import Cell, Table, table_of
 from groundslab.design.wall_bars import WallNeed, wall_needs
+from groundslab.messages import Clause, Message, Name
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.fields import PLATE_FIELDS
 from groundslab.results.results import Results
@@ -39,15 +40,24 @@ def wall_reinforcement(combined: Results, steel: Reinforcement) -> Table:
     code = code_of(steel)
     assert code.walls is not None
     notes = (
-        f"By {code.name} {code.walls.clauses}, with the concrete and the steel of the slab: the least bars of both "
-        "faces together, and the shear force that uses most of what struts bear over all ultimate combinations. Ties, "
-        "forces along and across, ends, openings and joints of walls with a height are not designed.",
+        Message(
+            "By {name} {clauses}, with the concrete and the steel of the slab: the least bars of both faces "
+            "together, and the shear force that uses most of what struts bear over all ultimate "
+            "combinations. Ties, forces along and across, ends, openings and joints of walls with a height "
+            "are not designed.",
+            name=Name(code.name),
+            clauses=Clause(code.walls.clauses),
+        ),
     )
     if code.walls.least is None:
         notes = (
-            f"By {code.name} {code.walls.clauses}, with the concrete and the steel of the slab: the shear force that "
-            "uses most of what struts bear over all ultimate combinations. Least bars, ties, forces along and across, "
-            "ends, openings and joints of walls with a height are not designed.",
+            Message(
+                "By {name} {clauses}, with the concrete and the steel of the slab: the shear force that uses "
+                "most of what struts bear over all ultimate combinations. Least bars, ties, forces along and "
+                "across, ends, openings and joints of walls with a height are not designed.",
+                name=Name(code.name),
+                clauses=Clause(code.walls.clauses),
+            ),
         )
     rows: list[list[Cell]] = [
         [need.wall, *_of_least(need), need.force / 1e3, need.borne / 1e3, need.used, need.way,

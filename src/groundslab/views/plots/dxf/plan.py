@@ -15,9 +15,9 @@ from groundslab import units
 from groundslab.arrays import Array
 from groundslab.design.detailing.positions import positions
 from groundslab.geometry.plan import DRAWN_CHORD
+from groundslab.messages import words_in
 from groundslab.model.loads.acting import AreaPressure, LineForce, PointForce
 from groundslab.schema.wording import printable
-from groundslab.unit_systems import words_in
 from groundslab.views.drawing.bars import BAR_LAYERS, face_bars
 from groundslab.views.drawing.shapes import (
     LETTERS,

@@ -11,9 +11,9 @@ import numpy as np
 
 from groundslab.design.basis.combinations import ultimate_results
 from groundslab.design.required_bars import bar_fields
+from groundslab.messages import words_in
 from groundslab.model.names import names_of
 from groundslab.results.results import results_of
-from groundslab.unit_systems import words_in
 from groundslab.views.plots import beams
 from groundslab.views.plots.export import to_inline_svg
 from groundslab.views.plots.ground.soil import draw_columns, soil_columns

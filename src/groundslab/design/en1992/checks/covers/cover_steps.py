@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from groundslab.design.basis.calculation import Step
 from groundslab.design.en1992.annex import Annex
 from groundslab.design.en1992.case_materials import deviation
+from groundslab.messages import Message
 
 _MM = 1e3
 
@@ -18,7 +19,7 @@ def cover_steps(diameter: float, exposure: str | None, annex: Annex) -> Iterator
     formula = "max(c_min,b, 10)"
     if exposure is not None:
         durable, formula = annex.c_min_dur[exposure] * _MM, "max(c_min,b, c_min,dur, 10)"
-        words = f"least cover for durability, {exposure}, structural class S4"
+        words = Message("least cover for durability, {exposure}, structural class S4", exposure=exposure)
         yield Step(words, "c_min,dur", durable, "mm", clause="4.4.1.2(5)")
     more, of_bond = deviation(annex, exposure) * _MM, deviation(annex, None) * _MM
     clause = "4.4.1.1(2), 4.1"

@@ -14,6 +14,7 @@ from dataclasses import replace
 from groundslab.design.basis.calculation import Step
 from groundslab.design.basis.check import DesignCheck
 from groundslab.design.en1992.case_materials import strengths
+from groundslab.messages import Message
 from groundslab.model.design.laid_bars import axis_of
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.fields import place_of
@@ -52,10 +53,17 @@ def _axes(steel: Reinforcement, least: float) -> DesignCheck:
     name, a = layer.replace("_", " "), axis_of(steel, layer) * _MM
     steps = (
         Step("distance of the bars' axis from the heated face", "a", a, "mm"),
-        Step(f"least distance, {steel.fire}", "a_min", least, "mm", clause="EN 1992-1-2 Table 5.8"),
+        Step(Message("least distance, {fire}", fire=steel.fire), "a_min", least, "mm", clause="EN 1992-1-2 Table 5.8"),
         Step("share used", "eta", least / a, "", "a_min / a"),
     )
-    return _compare("bars' distance from fire", (a, least), f"{steel.fire}, fire {words}", name, None, steps)
+    return _compare(
+        "bars' distance from fire",
+        (a, least),
+        Message("{fire}, fire {text}", fire=steel.fire, text=words),
+        name,
+        None,
+        steps,
+    )
 
 
 def _thickness(results: CombinationResult, fire: str, least: float) -> DesignCheck:
@@ -65,7 +73,9 @@ def _thickness(results: CombinationResult, fire: str, least: float) -> DesignChe
     h = float(thickness[node]) * _MM
     steps = (
         Step("least thickness of the slab", "h", h, "mm"),
-        Step(f"thickness that separates, {fire}", "h_s", least, "mm", clause="EN 1992-1-2 Table 5.8"),
+        Step(
+            Message("thickness that separates, {fire}", fire=fire), "h_s", least, "mm", clause="EN 1992-1-2 Table 5.8"
+        ),
         Step("share used", "eta", least / h, "", "h_s / h"),
     )
     place = place_of(results.plate.nodes, node)
@@ -74,7 +84,9 @@ def _thickness(results: CombinationResult, fire: str, least: float) -> DesignChe
 
 def _of_high_strength(check: DesignCheck) -> DesignCheck:
     """Return a check of concrete above C50/60: what the table asks for is not enough of it."""
-    words = f"{check.words}; concrete above C50/60 needs more, which is not known here (EN 1992-1-2 section 6)"
+    words = Message(
+        "{text}; concrete above C50/60 needs more, which is not known here (EN 1992-1-2 section 6)", text=check.words
+    )
     return replace(check, status="attention", words=words)
 
 
@@ -89,12 +101,20 @@ def _compare(
     """Return the check of a length and the least one [mm]; where it is less, the table alone does not show enough."""
     value, least = values
     holds = value >= least - ROUNDING
-    about = f"{of}: " if of else ""
+    about = Message("{of}: ", of=of) if of else ""
     more = "" if holds else "; a calculation by EN 1992-1-2 4.2 or 4.3 may show what the table does not"
     return DesignCheck(
         name,
         "no failure found" if holds else "attention",
-        f"{about}{value:.4g} {'>=' if holds else '<'} {least:.4g} mm for {what} (Table 5.8){more}",
+        about
+        + Message(
+            "{value:.4g (mm)} {sign} {least:.4g mm} for {what} (Table 5.8)",
+            value=value,
+            sign=">=" if holds else "<",
+            least=least,
+            what=what,
+        )
+        + more,
         of=of,
         demand=value,
         resistance=least,

@@ -18,6 +18,7 @@ from groundslab.design.en1992 import cracking
 from groundslab.design.en1992.case_materials import materials
 from groundslab.design.en1992.checks.cracks import crack_steps
 from groundslab.design.eurocode2.cracked_sections import Bars
+from groundslab.messages import Message, Name
 from groundslab.model.design.laid_bars import LaidBars, axis_of
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.fields import place_of
@@ -69,9 +70,10 @@ def tensile_strength(steel: Reinforcement) -> float:
 def without_bars(steel: Reinforcement, thickness: Array) -> DesignCheck:
     """Return what each layer needs where no bars are laid, of thicknesses (n,) [m]."""
     least = float(cracking.tension_force(thickness, tensile_strength(steel)).max()) / materials(steel)[1].f_yk * _CM2
-    words = (
-        f"no bars are laid; each layer needs {least:.4g} cm2/m where the slab is thickest, more for narrow cracks "
-        "(7.3.2(2))"
+    words = Message(
+        "no bars are laid; each layer needs {least:.4g cm2/m} where the slab is thickest, more for "
+        "narrow cracks (7.3.2(2))",
+        least=least,
     )
     return not_judged(BARS, NO_BARS, words, clause=_CLAUSE)
 
@@ -95,20 +97,48 @@ def _areas(layer: str, place: tuple[float, float], steps: tuple[Step, ...]) -> D
     demand, resistance, name = known["A_min"], known["A_s"], layer.replace("_", " ")
     holds = demand <= resistance
     return DesignCheck(
-        BARS, "no failure found" if holds else "fails",
-        f"{name}: {demand:.4g} {'<=' if holds else '>'} {resistance:.4g} cm2/m at ({place[0]:.3f}, {place[1]:.3f}) m, "
-        f"k_c = 1, sigma_s = f_yk and f_ct,eff {known['f_ct']:.3g} MPa (7.3.2(2))",
-        of=name, demand=demand, resistance=resistance, unit="cm2/m", clause=_CLAUSE, place=place, steps=steps,
-    )  # fmt: skip
+        BARS,
+        "no failure found" if holds else "fails",
+        Message(
+            "{name}: {demand:.4g (cm2/m)} {sign} {resistance:.4g cm2/m} at {place:.3f m}, k_c = 1, sigma_s = "
+            "f_yk and f_ct,eff {known:.3g MPa} (7.3.2(2))",
+            name=Name(name),
+            demand=demand,
+            sign="<=" if holds else ">",
+            resistance=resistance,
+            place=place,
+            known=known["f_ct"],
+        ),
+        of=name,
+        demand=demand,
+        resistance=resistance,
+        unit="cm2/m",
+        clause=_CLAUSE,
+        place=place,
+        steps=steps,
+    )
 
 
 def _width(layer: str, place: tuple[float, float], width: float, w_max: float, steps: tuple[Step, ...]) -> DesignCheck:
     """Return whether a crack [m] at the layer where it is widest is narrow enough."""
     holds, name = width <= w_max, layer.replace("_", " ")
     return DesignCheck(
-        WIDTH, "no failure found" if holds else "fails",
-        f"{name}: w_k {width * _MM:.3g} {'<=' if holds else '>'} {w_max * _MM:.3g} mm at ({place[0]:.3f}, "
-        f"{place[1]:.3f}) m as the slab cracks all through (7.3.4)",
-        of=name, demand=width * _MM, resistance=w_max * _MM, unit="mm", clause="EN 1992-1-1 7.3.4", place=place,
+        WIDTH,
+        "no failure found" if holds else "fails",
+        Message(
+            "{name}: w_k {width:.3g (mm)} {sign} {w_max:.3g mm} at {place:.3f m} as the slab cracks all "
+            "through (7.3.4)",
+            name=Name(name),
+            width=width * _MM,
+            sign="<=" if holds else ">",
+            w_max=w_max * _MM,
+            place=place,
+        ),
+        of=name,
+        demand=width * _MM,
+        resistance=w_max * _MM,
+        unit="mm",
+        clause="EN 1992-1-1 7.3.4",
+        place=place,
         steps=steps,
-    )  # fmt: skip
+    )

@@ -1,0 +1,198 @@
+"""Messages: texts that know the template they were made from, and the values in its holes.
+
+Whoever finds something out says it as a message; units and languages are chosen where it is shown, by its values. As
+text a message is English in SI units, which is what programs and tests read.
+"""
+
+from __future__ import annotations
+
+import functools
+import math
+import string
+from collections.abc import Callable, Iterable, Mapping
+from typing import Any, Self
+
+import numpy as np
+
+from groundslab.unit_systems import System, quantities_in, unit_in
+
+#: What stands in a hole of a template, and returns its text; the second is what follows the hole's colon.
+Writer = Callable[[Any, str], str]
+
+
+class Name(str):
+    """A text that is the same in all languages and units: the name of a thing of a case, a clause, a symbol."""
+
+    __slots__ = ()
+
+
+class Clause(Name):
+    """Where something is ruled, as in "EN 1992-1-1 6.4.4(1)": its numbers are no quantities, but a table is a table."""
+
+    __slots__ = ()
+
+
+class Message(str):
+    """A template with its values.
+
+    Parameters
+    ----------
+    template : str
+        English text with named holes, as in "{beam}: {M:.4g kNm} at {place:.3f m}". A hole has the format of its
+        number and its unit of display, in which the value is given. A unit in brackets is not written, as another
+        number with the same one follows: "{w:.3g (mm)} <= {limit:.3g mm}".
+    **values : float, tuple of float or str
+        What fills the holes: a number, a place, a `Name`, another message.
+
+    Examples
+    --------
+    >>> said = Message("{beam}: {M:.4g kNm} at {place:.2f m}", beam=Name("B 2 m"), M=120.0, place=(1.0, 2.0))
+    >>> said
+    'B 2 m: 120 kNm at (1.00, 2.00) m'
+    >>> words_in(said, "US")
+    'B 2 m: 88.51 kip ft at (3.3, 6.6) ft'
+    """
+
+    __slots__ = ("template", "units", "values")
+
+    template: str
+    values: Mapping[str, Any]
+    units: System
+
+    def __new__(cls, template: str, /, **values: Any) -> Self:
+        """Return the message in SI units."""
+        return cls._made(template, values, "SI")
+
+    @classmethod
+    def _made(cls, template: str, values: Mapping[str, Any], units: System) -> Self:
+        made = super().__new__(cls, fill(template, template, values, functools.partial(written, units=units)))
+        made.template, made.values, made.units = template, values, units
+        return made
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Return how a copy is made."""
+        return type(self)._made, (self.template, dict(self.values), self.units)
+
+    def __add__(self, other: str) -> Message:
+        """Return this message and what follows it as one."""
+        return joined((self, other), "") if other else self
+
+    def __radd__(self, other: str) -> Message:
+        """Return this message and what goes before as one."""
+        return joined((other, self), "") if other else self
+
+    @property
+    def key(self) -> str:
+        """The template as catalogues have it: its holes by their names alone."""
+        return key_of(self.template)
+
+    def in_units(self, units: System) -> Message:
+        """Return the message with all its quantities in the units of a system."""
+        if units == self.units:
+            return self
+        values = {name: words_in(each, units) if isinstance(each, str) else each for name, each in self.values.items()}
+        return self._made(self.template, values, units)
+
+
+class Listed(Message):
+    """Texts one after another, with a mark between."""
+
+    __slots__ = ()
+
+    @property
+    def mark(self) -> str:
+        """What stands between."""
+        return self.template
+
+    @property
+    def parts(self) -> tuple[str, ...]:
+        """The texts."""
+        return tuple(self.values.values())
+
+    @classmethod
+    def _made(cls, template: str, values: Mapping[str, Any], units: System) -> Self:
+        made = str.__new__(cls, template.join(values.values()))
+        made.template, made.values, made.units = template, values, units
+        return made
+
+
+def joined(parts: Iterable[str], mark: str = ", ") -> Listed:
+    """Return texts, messages among them, one after another with a mark between."""
+    return Listed._made(mark, {str(number): part for number, part in enumerate(parts, start=1)}, "SI")
+
+
+def quantity(value: float, unit: str, form: str = ".4g") -> Message:
+    """Return a number in its unit of display, which may be none."""
+    return Message(f"{{value:{form} {unit}}}" if unit else f"{{value:{form}}}", value=value)
+
+
+def quoted(names: Iterable[str], most: int = 5) -> Name:
+    """Return the first of some names, in quotes."""
+    given = list(names)
+    return Name(", ".join(f'"{name}"' for name in given[:most]) + (" ..." if len(given) > most else ""))
+
+
+def words_in(text: str, units: System, names: Iterable[str] = ()) -> str:
+    """Return a text with its quantities in the units of a system; names stay."""
+    if isinstance(text, Message):
+        return text.in_units(units)
+    return text if isinstance(text, Name) else quantities_in(text, units, names)
+
+
+def as_values(text: str) -> Any:
+    """Return a text as data for JSON: of a message its template and values, of texts in a row these with their mark."""
+    if isinstance(text, Listed):
+        return {"mark": text.mark, "texts": [as_values(part) for part in text.parts]}
+    if not isinstance(text, Message):
+        return {"name": str(text)} if isinstance(text, Name) else str(text)
+    values = {
+        name: as_values(value) if isinstance(value, str) else np.asarray(value).tolist()
+        for name, value in text.values.items()
+    }
+    return {"template": text.template, "values": values}
+
+
+def fill(text: str, template: str, values: Mapping[str, Any], write: Writer) -> str:
+    """Return a text whose holes are those of a template, in any order, with their values written."""
+    specs = {name: spec for _, name, spec in holes_of(template) if name is not None}
+    return "".join(
+        literal + (write(values[name], specs[name]) if name is not None else "") for literal, name, _ in holes_of(text)
+    )
+
+
+@functools.cache
+def holes_of(template: str) -> tuple[tuple[str, str | None, str], ...]:
+    """Return what stands before each hole, its name, and the format and unit behind its colon; None without a hole."""
+    return tuple((literal, name, spec or "") for literal, name, spec, _ in string.Formatter().parse(template))
+
+
+@functools.cache
+def key_of(template: str) -> str:
+    """Return a template without formats and units."""
+    return "".join(
+        literal.replace("{", "{{").replace("}", "}}") + ("" if name is None else f"{{{name}}}")
+        for literal, name, _ in holes_of(template)
+    )
+
+
+def written(value: Any, spec: str, units: System = "SI") -> str:
+    """Return a value as text: a number or a place by its format and unit, given in SI units, in those of a system."""
+    if isinstance(value, str):
+        return value
+    form, _, unit = spec.partition(" ")
+    shown, factor = unit_in(unit.strip("()"), units)
+    if factor != 1.0:
+        form = _adapted(form, factor)
+    if np.ndim(value):
+        text = f"({', '.join(format(part * factor, form) for part in value)})"
+    else:
+        text = format(value * factor if factor != 1.0 else value, form)
+    return f"{text} {shown}" if shown and not unit.startswith("(") else text
+
+
+def _adapted(form: str, factor: float) -> str:
+    """Return the format of a number that is a factor larger: as many digits behind the point less or more."""
+    if not form.endswith("f"):
+        return form
+    decimals = int(form.partition(".")[2][:-1]) - round(math.log10(factor))
+    return f"{form.partition('.')[0]}.{max(0, decimals)}f"
