@@ -25,6 +25,10 @@ class Name(str):
 
     __slots__ = ()
 
+    def __str__(self) -> str:
+        """Return the name, which stays one."""
+        return self
+
 
 class Clause(Name):
     """Where something is ruled, as in "EN 1992-1-1 6.4.4(1)": its numbers are no quantities, but a table is a table."""
@@ -73,6 +77,10 @@ class Message(str):
         """Return how a copy is made."""
         return type(self)._made, (self.template, dict(self.values), self.units)
 
+    def __str__(self) -> str:
+        """Return the message, which stays one."""
+        return self
+
     def __add__(self, other: str) -> Message:
         """Return this message and what follows it as one."""
         return joined((self, other), "") if other else self
@@ -119,6 +127,11 @@ class Listed(Message):
 def joined(parts: Iterable[str], mark: str = ", ") -> Listed:
     """Return texts, messages among them, one after another with a mark between."""
     return Listed._made(mark, {str(number): part for number, part in enumerate(parts, start=1)}, "SI")
+
+
+def counted(count: int, one: str, many: str, **values: Any) -> Message:
+    """Return the message about one thing or that about several; each has a hole for their `count`."""
+    return Message(one if count == 1 else many, count=count, **values)
 
 
 def quantity(value: float, unit: str, form: str = ".4g") -> Message:

@@ -58,6 +58,7 @@ def test_what_is_put_together_stays_values() -> None:
         assert words_in(text, "US") == "beam 10 ft; long"
     assert words_in(joined([length, length], "; "), "US") == "10 ft; 10 ft"
     assert length + "" is length
+    assert str(length) is length
 
 
 def test_copies_are_messages() -> None:

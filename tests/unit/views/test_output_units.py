@@ -13,7 +13,7 @@ from typing import Any
 import pytest
 
 from groundslab.analysis.driver import solve
-from groundslab.case.casefile import load
+from groundslab.case.casefile import load, loads
 from groundslab.design.checks import check_design
 from groundslab.design.result_tables import tables_of
 from groundslab.design.tables.table import Table
@@ -109,15 +109,18 @@ def assert_same_words(one: str, other: str) -> None:
         assert value == shown or converted, (one, other)
 
 
-def test_summary(both: tuple[Results, Results]) -> None:
-    """The summary on the terminal has the same lines, without units of the other system; figures are the same."""
+def printed(combined: Results) -> str:
+    """Return the summary as the terminal shows it."""
     from rich.console import Console
 
-    texts = []
-    for combined in both:
-        console = Console(file=io.StringIO(), width=400)
-        print_summary(combined, console)
-        texts.append(console.file.getvalue())  # type: ignore[attr-defined]
+    console = Console(file=io.StringIO(), width=400)
+    print_summary(combined, console)
+    return console.file.getvalue()  # type: ignore[attr-defined, no-any-return]
+
+
+def test_summary(both: tuple[Results, Results]) -> None:
+    """The summary on the terminal has the same lines, without units of the other system; figures are the same."""
+    texts = [printed(combined) for combined in both]
     assert not SI.search(re.sub(r'"[^"]*"', '""', texts[1]))
     figures = [json.loads(json.dumps(build_summary(combined)))["combinations"] for combined in both]
     compared = 0
@@ -191,3 +194,20 @@ def test_scene(both: tuple[Results, Results]) -> None:
                 assert there == place
                 expected = value * size(units[0][field])
                 assert shown * size(units[1][field]) == pytest.approx(expected, rel=1e-9, abs=1e-12)
+
+
+@pytest.mark.parametrize("example", ["house_raft", "piled_raft", "ribbed_raft", "bearing_walls"])
+def test_names_that_look_like_quantities_stay(example: str) -> None:
+    """Every thing of an example is called "... 12.25 m"; nowhere is it "... 40.19 ft", which is as much."""
+    text = (EXAMPLES / f"{example}.toml").read_text(encoding="utf-8")
+    for name in set(re.findall(r'^name = "([^"]+)"', text, re.MULTILINE)):
+        text = re.sub(rf'(?<==) "{re.escape(name)}"$', f' "{name} 12.25 m"', text, flags=re.MULTILINE)
+    factors = re.compile(r"(?<=factors = \{).*(?=\}$)", re.MULTILINE)
+    text = factors.sub(lambda found: re.sub(r'"?([\w ]+?)"? =', r'"\1 12.25 m" =', found[0]), text)
+    model = few(loads(text).replace(project={"units": "US"}))
+    combined = solve(model.replace(mesh={"size": max(model.sides) / 8}))
+    shown = [*printed(combined).splitlines(), render_report(combined, chapters=["extremes", "loads", "tables"])]
+    for table in tables_of(combined):
+        shown += [str(value) for column in table.columns for value in (column.name, *column.values)] + [*table.notes]
+    assert sum(" 12.25 m" in words for words in shown) > 20
+    assert [words for words in shown if re.search(r"\b40\.[12]\d* ft", words)] == []

@@ -26,7 +26,7 @@ from groundslab.design.checks.one_way_shear import shear
 from groundslab.design.en1997 import checks as en1997
 from groundslab.design.floors import checks as floors
 from groundslab.design.floors import dowel_checks
-from groundslab.messages import Message, Name
+from groundslab.messages import Message, counted, joined
 from groundslab.model.names import names_of
 from groundslab.model.remarks.remarks import find_remarks
 from groundslab.results.results import Results
@@ -136,31 +136,35 @@ def _check_design(combined: Results) -> Design:
     made = [in_units(check, combined.model.units, names) for find in CHECKS for check in find(combined)]
     checked = tuple(sorted((check for check in made if check.status != "not checked"), key=_order))
     unchecked = {check.name: check.words for check in made if check.status == "not checked"}
-    left = "; ".join((unchecked if "strength" in unchecked else {"anchorage": NOT_CHECKED, **unchecked}).values())
+    left = joined((unchecked if "strength" in unchecked else {"anchorage": NOT_CHECKED, **unchecked}).values(), "; ")
     failing, doubtful = (sum(check.status == status for check in checked) for status in ("fails", "attention"))
     hanging = sum(check.hangs for check in checked)
     of_them = (
-        Message(", {hanging} {verb} on the discretization error", hanging=hanging, verb=_verb("hang", hanging))
+        counted(
+            hanging,
+            ", {count} hangs on the discretization error",
+            ", {count} hang on the discretization error",
+        )
         if hanging
         else ""
     )
-    total = f"{len(checked)} check{'s' if len(checked) > 1 else ''}"
+    total = counted(len(checked), "{count} check", "{count} checks")
     left_open = _left_open(checked)
     if failing:
-        return Design(
-            "fails",
-            _failure(checked[0], f"{failing} of {total} {_verb('fail', failing)}{of_them}") + left_open,
-            checked,
-        )
+        count = counted(failing, "{count} of {total} fails", "{count} of {total} fail", total=total)
+        return Design("fails", _failure(checked[0], count + of_them) + left_open, checked)
     if doubtful:
-        words = f"DESIGN NEEDS ATTENTION: {doubtful} of {total} {_verb('need', doubtful)} it{of_them}."
+        words = counted(
+            doubtful,
+            "DESIGN NEEDS ATTENTION: {count} of {total} needs it{of_them}.",
+            "DESIGN NEEDS ATTENTION: {count} of {total} need it{of_them}.",
+            total=total,
+            of_them=of_them,
+        )
         return Design("attention", words + left_open, checked)
     if checked:
-        return Design(
-            "no failure found",
-            Message("No failure found in {total}{of_them}; {left}.", total=total, of_them=of_them, left=left),
-            checked,
-        )
+        words = Message("No failure found in {total}{of_them}; {left}.", total=total, of_them=of_them, left=left)
+        return Design("no failure found", words, checked)
     return Design("not checked", f"{left[:1].upper()}{left[1:]}.")
 
 
@@ -169,21 +173,17 @@ def _left_open(checked: Sequence[DesignCheck]) -> str:
     names = [check.name for check in checked if check.unjudged is not None]
     if not names:
         return ""
-    listed = ", ".join(dict.fromkeys(names))
-    return Message(
-        " Not judged: {number} of {number_2} ({listed}).", number=len(names), number_2=len(checked), listed=listed
-    )
+    kinds = joined(dict.fromkeys(names))
+    return Message(" Not judged: {count} of {total} ({kinds}).", count=len(names), total=len(checked), kinds=kinds)
 
 
 def _failure(worst: DesignCheck, count: str) -> str:
     """Return the sentence about a design that fails; of what holds the slab the reason in full."""
     if worst.foundation:
-        return Message(
-            "FOUNDATION FAILS ({count}): {name}: {text}.", count=count, name=Name(worst.name), text=worst.words
-        )
+        return Message("FOUNDATION FAILS ({count}): {name}: {text}.", count=count, name=worst.name, text=worst.words)
     used = worst.utilisation
     times = (
-        Message("{name}, {used:.3g} times its limit; ", name=Name(worst.name), used=used)
+        Message("{name}, {used:.3g} times its limit; ", name=worst.name, used=used)
         if used is not None and not worst.least
         else ""
     )
@@ -203,8 +203,3 @@ def _order(check: DesignCheck) -> tuple[int, bool, bool, float]:
         check.unjudged is None,
         -(float("inf") if used is None and fails else used or 0.0),
     )
-
-
-def _verb(verb: str, count: int) -> str:
-    """Return a verb that goes with a number of things."""
-    return f"{verb}s" if count == 1 else verb

@@ -211,9 +211,12 @@ def _steps(parts: Sequence[_Part], up: float, down: float) -> Iterator[Step]:
         )
         yield Step("its factor", f"gamma_{number}", abs(part.factor), clause="2.4.7.4")
         made[part.up].append(f"gamma_{number} * {letter}_{number}")
-    for is_up, symbol, words, value in ((True, "V_dst", "destabilizing", up), (False, "G_stb", "stabilizing", down)):
+    for is_up, symbol, words, value in (
+        (True, "V_dst", "destabilizing force", up),
+        (False, "G_stb", "stabilizing force", down),
+    ):
         yield Step(
-            Message("{actions} force", actions=words),
+            words,
             symbol,
             value,
             "MN",
