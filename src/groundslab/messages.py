@@ -15,6 +15,7 @@ from typing import Any, Self
 import numpy as np
 
 from groundslab.unit_systems import System, quantities_in, unit_in
+from groundslab.units import format_coordinate
 
 #: What stands in a hole of a template, and returns its text; the second is what follows the hole's colon.
 Writer = Callable[[Any, str], str]
@@ -44,7 +45,8 @@ class Message(str):
     template : str
         English text with named holes, as in "{beam}: {M:.4g kNm} at {place:.3f m}". A hole has the format of its
         number and its unit of display, in which the value is given. A unit in brackets is not written, as another
-        number with the same one follows: "{w:.3g (mm)} <= {limit:.3g mm}".
+        number with the same one follows: "{w:.3g (mm)} <= {limit:.3g mm}". The format "at" is that of coordinates, see
+        `units.format_coordinate`.
     **values : float, tuple of float or str
         What fills the holes: a number, a place, a `Name`, another message.
 
@@ -196,10 +198,12 @@ def written(value: Any, spec: str, units: System = "SI") -> str:
     shown, factor = unit_in(unit.strip("()"), units)
     if factor != 1.0:
         form = _adapted(form, factor)
-    if np.ndim(value):
-        text = f"({', '.join(format(part * factor, form) for part in value)})"
-    else:
-        text = format(value * factor if factor != 1.0 else value, form)
+
+    def number(value: Any) -> str:
+        scaled = value if factor == 1.0 else value * factor
+        return format_coordinate(scaled) if form == "at" else format(scaled, form)
+
+    text = f"({', '.join(map(number, value))})" if np.ndim(value) else number(value)
     return f"{text} {shown}" if shown and not unit.startswith("(") else text
 
 

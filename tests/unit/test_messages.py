@@ -35,6 +35,7 @@ def test_the_text_is_english_in_si_units() -> None:
     assert message == "12.35 kN at (1.00, -2.50) m, 2 of 3"
     assert f"{message}." == "12.35 kN at (1.00, -2.50) m, 2 of 3."
     assert Message("{w:.3g (mm)} <= {limit:.3g mm}", w=0.25, limit=0.3) == "0.25 <= 0.3 mm"
+    assert Message("{center:at m}", center=np.array([1.25, 123456.7891])) == "(1.25, 123456.789) m"
 
 
 def test_quantities_change_with_the_units() -> None:

@@ -231,14 +231,10 @@ def texts_of(tree: ast.AST) -> Iterator[str]:
             continue
         if isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant):
             continue
-        if (
-            getattr(called, "id", "") == "Message"
-            and isinstance(node, ast.Call)
-            and isinstance(node.args[0], ast.Constant)
-        ):
-            yield key_of(str(node.args[0].value))
-            for value in node.keywords:
-                yield from texts_of(value)
+        if isinstance(node, ast.Call) and getattr(called, "id", "") in ("Message", "counted"):
+            for part in (*node.args, *node.keywords):
+                given = part.value if isinstance(part, ast.Constant) else None
+                yield from [key_of(given)] if isinstance(given, str) else texts_of(part)
         elif isinstance(node, ast.JoinedStr):
             pieces = [str(part.value) if isinstance(part, ast.Constant) else "{}" for part in node.values]
             yield filled("".join(pieces))
