@@ -9,14 +9,17 @@ from __future__ import annotations
 import functools
 import math
 import string
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any, Self
 
 import numpy as np
 
+from groundslab.arrays import Array
 from groundslab.unit_systems import System, quantities_in, unit_in
 from groundslab.units import format_coordinate
 
+#: What fills a hole: a text, a number or a place.
+Value = str | float | Sequence[float] | Array
 #: What stands in a hole of a template, and returns its text; the second is what follows the hole's colon.
 Writer = Callable[[Any, str], str]
 
@@ -65,7 +68,7 @@ class Message(str):
     values: Mapping[str, Any]
     units: System
 
-    def __new__(cls, template: str, /, **values: Any) -> Self:
+    def __new__(cls, template: str, /, **values: Value) -> Self:
         """Return the message in SI units."""
         return cls._made(template, values, "SI")
 
@@ -131,7 +134,7 @@ def joined(parts: Iterable[str], mark: str = ", ") -> Listed:
     return Listed._made(mark, {str(number): part for number, part in enumerate(parts, start=1)}, "SI")
 
 
-def counted(count: int, one: str, many: str, **values: Any) -> Message:
+def counted(count: int, one: str, many: str, **values: Value) -> Message:
     """Return the message about one thing or that about several; each has a hole for their `count`."""
     return Message(one if count == 1 else many, count=count, **values)
 

@@ -62,7 +62,7 @@ def _failure(combined: Results, combination: Combination) -> DesignCheck:
     name, clause = _CHECKS.get(combination.limit_state, _ANY)
     model = combined.model
     words = Message(
-        'none in "{name}": {refused}', name=Name(combination.name), refused=combined.refused[combination.name]
+        'none in "{name}": {refused}', name=Name(combination.name), refused=str(combined.refused[combination.name])
     )
     if model.cases and not model.combinations and model.combine is None:
         words += "; each load case is solved by itself, as there are neither [[combinations]] nor [combine]"

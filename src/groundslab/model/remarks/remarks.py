@@ -119,7 +119,7 @@ def _on_annex(model: Model) -> Iterator[Remark]:
     if model.combine is not None and model.combine.expression != "ACI 318" and is_unknown(annex):
         words = Message(
             "psi and partial factors of the annex of {annex} to EN 1990 were not found: the recommended ones are taken",
-            annex=annex,
+            annex=str(annex),
         )
         yield Remark(("combine",), words)
 

@@ -53,13 +53,19 @@ def _axes(steel: Reinforcement, least: float) -> DesignCheck:
     name, a = layer.replace("_", " "), axis_of(steel, layer) * _MM
     steps = (
         Step("distance of the bars' axis from the heated face", "a", a, "mm"),
-        Step(Message("least distance, {fire}", fire=steel.fire), "a_min", least, "mm", clause="EN 1992-1-2 Table 5.8"),
+        Step(
+            Message("least distance, {fire}", fire=str(steel.fire)),
+            "a_min",
+            least,
+            "mm",
+            clause="EN 1992-1-2 Table 5.8",
+        ),
         Step("share used", "eta", least / a, "", "a_min / a"),
     )
     return _compare(
         "bars' distance from fire",
         (a, least),
-        Message("{fire}, fire {text}", fire=steel.fire, text=words),
+        Message("{fire}, fire {text}", fire=str(steel.fire), text=words),
         name,
         None,
         steps,
@@ -74,7 +80,11 @@ def _thickness(results: CombinationResult, fire: str, least: float) -> DesignChe
     steps = (
         Step("least thickness of the slab", "h", h, "mm"),
         Step(
-            Message("thickness that separates, {fire}", fire=fire), "h_s", least, "mm", clause="EN 1992-1-2 Table 5.8"
+            Message("thickness that separates, {fire}", fire=str(fire)),
+            "h_s",
+            least,
+            "mm",
+            clause="EN 1992-1-2 Table 5.8",
         ),
         Step("share used", "eta", least / h, "", "h_s / h"),
     )
