@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import cache
 from typing import Any
 
 from hypothesis import strategies as st
@@ -37,9 +38,22 @@ from groundslab.schema.base import Section
 from groundslab.schema.fields import Boolean, Choice, ListOf, Text
 
 
+@cache
 def numbers(low: float, high: float) -> st.SearchStrategy[float]:
     """Return numbers between two limits that are zero or clear of it: others that are nearly zero are refused."""
     return st.floats(low, high).map(lambda value: value if abs(value) > 1e-12 else 0.0)
+
+
+@cache
+def maybe(low: float, high: float) -> st.SearchStrategy[float | None]:
+    """Return numbers between two limits, or none."""
+    return st.none() | st.floats(low, high)
+
+
+@cache
+def zero_or(low: float, high: float) -> st.SearchStrategy[float]:
+    """Return zero, or numbers between two limits."""
+    return st.just(0) | st.floats(low, high)
 
 
 MODULI_OF_SOIL = st.floats(5e6, 2e8)
@@ -49,6 +63,7 @@ POISSON = st.just(0) | numbers(0.0, 0.45)
 GAMMAS = st.just("iterate") | st.floats(0.3, 5.0)
 
 
+@cache
 def any_of(part: type[Section], name: str) -> st.SearchStrategy[Any]:
     """Return all values of a key that is a choice, a flag or a text, from what the key says itself."""
     key = part.model_fields[name].type
@@ -60,12 +75,14 @@ def any_of(part: type[Section], name: str) -> st.SearchStrategy[Any]:
     return st.text(st.characters(exclude_categories=["Cs"]), max_size=12)
 
 
+@cache
 def edges() -> st.SearchStrategy[Edges]:
     """Return supports of any kind, mostly none."""
     any_edges = st.builds(Edges, **{side: any_of(Edges, side) for side in Edges.model_fields})
     return st.just(Edges()) | any_edges
 
 
+@cache
 def plates() -> st.SearchStrategy[Plate]:
     """Return plates of a few metres, thin and thick."""
     return st.builds(
@@ -81,6 +98,7 @@ def plates() -> st.SearchStrategy[Plate]:
     )
 
 
+@cache
 def soil_layers(sublayers: int = 1) -> st.SearchStrategy[SoilLayer]:
     """Return layers given by elastic constants, with up to so many sublayers."""
     common = {
@@ -97,6 +115,7 @@ def _lists(items: st.SearchStrategy[Any], most: int = 3) -> st.SearchStrategy[li
     return st.lists(items, min_size=1, max_size=most)
 
 
+@cache
 def _vlasov() -> st.SearchStrategy[Vlasov]:
     formulas = any_of(Vlasov, "formulas")
     one = st.builds(
@@ -106,6 +125,7 @@ def _vlasov() -> st.SearchStrategy[Vlasov]:
     return one | several
 
 
+@cache
 def _layered() -> st.SearchStrategy[Layered]:
     by_k = st.builds(InterfaceLayer, k0=STIFFNESSES, k1=SHEAR_STIFFNESSES)
     return (
@@ -121,6 +141,7 @@ def _layered() -> st.SearchStrategy[Layered]:
     )
 
 
+@cache
 def grounds() -> st.SearchStrategy[Winkler | Pasternak | Vlasov | Layered]:
     """Return grounds of every kind."""
     selvadurai = st.builds(Selvadurai, E=MODULI_OF_SOIL, depth=st.floats(1.0, 20.0))
@@ -133,6 +154,7 @@ def grounds() -> st.SearchStrategy[Winkler | Pasternak | Vlasov | Layered]:
     )
 
 
+@cache
 @st.composite
 def beyonds(draw: st.DrawFn) -> Beyond:
     """Return what may lie beyond the plate."""
@@ -141,7 +163,7 @@ def beyonds(draw: st.DrawFn) -> Beyond:
     if kind == "none":
         return Beyond()
     if kind == "infinite":
-        return Beyond(kind=kind, sides=sides, width=draw(st.none() | st.floats(0.5, 10.0)))
+        return Beyond(kind=kind, sides=sides, width=draw(maybe(0.5, 10.0)))
     return Beyond(kind=kind, sides=sides, width=draw(st.floats(0.5, 10.0)), edge=draw(any_of(Beyond, "edge")))
 
 
@@ -196,6 +218,7 @@ def meshes(plate: Plate) -> st.SearchStrategy[Mesh]:
     return st.builds(Mesh, counts=counts, symmetry=symmetry) | st.builds(Mesh, size=sizes, symmetry=symmetry)
 
 
+@cache
 def analyses() -> st.SearchStrategy[Analysis]:
     """Return ways to solve, the solver left to the program or the one that is installed everywhere."""
     return st.builds(
@@ -207,6 +230,7 @@ def analyses() -> st.SearchStrategy[Analysis]:
     )
 
 
+@cache
 @st.composite
 def models(draw: st.DrawFn) -> Model:
     """Return whole descriptions."""
@@ -243,12 +267,12 @@ def point_supports(draw: st.DrawFn, plate: Plate, name: str) -> PointSupport:
     acts = draw(any_of(PointSupport, "acts"))
     keys: dict[str, Any] = {"x": draw(EIGHTHS) / 8 * plate.length_x, "y": draw(EIGHTHS) / 8 * plate.length_y}
     if acts != "both ways":
-        keys |= {"gap": draw(st.just(0) | st.floats(1e-5, 5e-3)), "limit": draw(st.none() | st.floats(1e3, 1e6))}
+        keys |= {"gap": draw(zero_or(1e-5, 5e-3)), "limit": draw(maybe(1e3, 1e6))}
     turn: dict[str, Any] = draw(
         st.sampled_from([{}, {}, {"rotation": "fixed"}])
         | st.builds(lambda k: {"rotational_stiffness": k}, st.floats(1e5, 1e9))
     )
-    return PointSupport(name=name, acts=acts, stiffness=draw(st.none() | st.floats(1e6, 1e9)), **keys, **turn)
+    return PointSupport(name=name, acts=acts, stiffness=draw(maybe(1e6, 1e9)), **keys, **turn)
 
 
 @st.composite
@@ -262,10 +286,10 @@ def line_supports(draw: st.DrawFn, plate: Plate, name: str) -> LineSupport:
     along = draw(st.sampled_from([[(x[0], y[0]), (x[1], y[0])], [(x[0], y[0]), (x[0], y[1])],
                                   [(x[0], y[0]), (x[1], y[0]), (x[1], y[1])]]))  # fmt: skip
     points = [(a / 8 * plate.length_x, b / 8 * plate.length_y) for a, b in along]
-    acts, stiffness = draw(any_of(LineSupport, "acts")), draw(st.none() | st.floats(1e6, 1e9))
+    acts, stiffness = draw(any_of(LineSupport, "acts")), draw(maybe(1e6, 1e9))
     keys: dict[str, Any] = {}
     if acts != "both ways":
-        keys = {"gap": draw(st.just(0) | st.floats(1e-5, 5e-3)), "limit": draw(st.none() | st.floats(1e3, 1e6))}
+        keys = {"gap": draw(zero_or(1e-5, 5e-3)), "limit": draw(maybe(1e3, 1e6))}
     elif stiffness is None:
         keys = {"rotation": draw(any_of(LineSupport, "rotation"))}
     return LineSupport(name=name, points=points, stiffness=stiffness, acts=acts, **keys)
@@ -353,7 +377,7 @@ def beams(draw: st.DrawFn, plate: Plate, names: list[str]) -> list[Beam]:
                 ]
             )
         )
-        made.append(Beam(name=name, points=points, section=section, E=draw(st.none() | st.floats(10e9, 210e9))))
+        made.append(Beam(name=name, points=points, section=section, E=draw(maybe(10e9, 210e9))))
     return made
 
 
@@ -443,7 +467,7 @@ def rich_contacts(draw: st.DrawFn, plate: Plate, whole: bool) -> Contact:
     """
     if draw(st.integers(0, 5)) == 0:
         return Contact(tensionless=False)
-    depth = st.none() | st.floats(1e-4, 1e-2)
+    depth = maybe(1e-4, 1e-2)
     x, y = whole_extents(plate.length_x), whole_extents(plate.length_y)
     void = st.builds(Void, depth=depth, x=x, y=y) | st.builds(Void, depth=depth, shape=shapes(plate, whole_extents))
     gap_point = st.builds(GapPoint, x=numbers(-5, 5), y=numbers(-5, 5), gap=numbers(-1e-3, 1e-2))
@@ -451,7 +475,7 @@ def rich_contacts(draw: st.DrawFn, plate: Plate, whole: bool) -> Contact:
         gap=draw(st.just(0) | numbers(0.0, 1e-2)),
         voids=draw(st.lists(void, max_size=2)),
         gaps=draw(st.lists(gap_point, max_size=3, unique_by=lambda point: (point.x, point.y))) if whole else (),
-        limit_pressure=draw(st.none() | st.floats(2e4, 2e6)),
+        limit_pressure=draw(maybe(2e4, 2e6)),
     )
 
 
@@ -468,6 +492,7 @@ def combinations(draw: st.DrawFn, cases: list[LoadCase], free: bool) -> list[Com
     return made
 
 
+@cache
 @st.composite
 def load_cases(draw: st.DrawFn) -> list[LoadCase]:
     """Return up to three cases, the first one permanent."""
@@ -490,6 +515,7 @@ def combines(cases: list[LoadCase]) -> st.SearchStrategy[Combine]:
     return st.builds(Combine, sets=sets, permanent=st.sampled_from([(1.35, 1.0), (1.1, 0.9)]))
 
 
+@cache
 def any_of_each(part: type[Section], name: str) -> st.SearchStrategy[Any]:
     """Return all words of which a key holds a list."""
     key = part.model_fields[name].type
@@ -529,16 +555,16 @@ def reinforcements(draw: st.DrawFn, plate: Plate) -> Reinforcement:
                          for name in _unique_names(draw, draw(st.integers(0, 2)), "", True)]  # fmt: skip
     given = axes | {name: st.just(value) for name, value in laid.items()}
     by_en = st.builds(
-        Reinforcement, f_ck=st.floats(12e6, 90e6), gamma_c=st.none() | st.floats(1.0, 2.0),
-        gamma_s=st.none() | st.floats(1.0, 2.0), alpha_cc=st.none() | st.floats(0.5, 1.0),
+        Reinforcement, f_ck=st.floats(12e6, 90e6), gamma_c=maybe(1.0, 2.0),
+        gamma_s=maybe(1.0, 2.0), alpha_cc=maybe(0.5, 1.0),
         annex=any_of(Reinforcement, "annex"), **given,
     )  # fmt: skip
     size = st.booleans()
     by_aci = st.builds(Reinforcement, code=st.just("ACI 318"), f_ck=st.floats(17e6, 90e6), size_effect=size, **given)
     by_second = st.builds(
         Reinforcement, code=st.just("EN 1992-1-1:2023"), f_ck=st.floats(12e6, 90e6),
-        gamma_v=st.none() | st.floats(1.0, 2.0), k_tc=st.none() | st.floats(0.5, 1.0),
-        d_lower=st.none() | st.floats(0.008, 0.063), **given,
+        gamma_v=maybe(1.0, 2.0), k_tc=maybe(0.5, 1.0),
+        d_lower=maybe(0.008, 0.063), **given,
     )  # fmt: skip
     return draw(by_en | by_aci | by_second)
 

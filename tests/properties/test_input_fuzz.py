@@ -7,6 +7,7 @@ import pickle
 import tomllib
 from collections.abc import Mapping
 from copy import deepcopy
+from functools import cache
 from typing import Any
 
 import pytest
@@ -155,6 +156,7 @@ def check(error: InputError) -> None:
     pickle.dumps(error)
 
 
+@cache
 def texts() -> st.SearchStrategy[str]:
     """Return text of all sorts: words of the schema, quantities, anything, with lone surrogates too."""
     number = st.sampled_from(["0", "-1", "30", "1e9", "1e999", "nan", "inf", ".5", "9**9", "１"])
@@ -163,6 +165,7 @@ def texts() -> st.SearchStrategy[str]:
     return st.sampled_from(WORDS) | quantity | st.text(max_size=20) | st.text(min_size=120, max_size=200)
 
 
+@cache
 def scalars() -> st.SearchStrategy[Any]:
     """Return values that a TOML file can hold."""
     return (
@@ -176,6 +179,7 @@ def scalars() -> st.SearchStrategy[Any]:
     )
 
 
+@cache
 def values() -> st.SearchStrategy[Any]:
     """Return nested values that a TOML file can hold."""
     return st.recursive(
