@@ -21,6 +21,8 @@ from groundslab.views.summary.json_summary import FORMAT
 
 #: The mark of a public route.
 PUBLIC = "public"
+#: Where a response of a route names its shape; FastAPI would look for it under "model".
+SHAPE = "shape"
 #: Documents about a run, by their names.
 DocumentName = Literal["summary", "design", "tables"]
 Run = Annotated[int, PathParameter(description="number of the run, as solve returns it")]
@@ -47,9 +49,12 @@ class Refused(TypedDict):
 
 
 def describe(summary: str, answer: Any = None, kind: str = "application/json") -> dict[str, Any]:
-    """Return the options of a public route: a summary, and the shape or the type of what it answers."""
-    content: dict[str, Any] = {"content": {kind: {}}} if answer is None else {"model": answer}
-    refused = {"description": "Refused; the message says why", "model": Refused}
+    """Return the options of a public route: a summary, and the shape or the type of what it answers.
+
+    Shapes are named only: what FastAPI makes of them, which takes long, is needed where routes are described.
+    """
+    content: dict[str, Any] = {"content": {kind: {}}} if answer is None else {SHAPE: answer}
+    refused = {"description": "Refused; the message says why", SHAPE: Refused}
     responses = {200: {"description": "OK"} | content, 403: refused, 404: refused, 409: refused, 422: refused}
     return {"tags": [PUBLIC], "summary": summary, "responses": responses}
 
@@ -68,8 +73,24 @@ def add_document_route(app: FastAPI, get_document: Callable[[int, str], Response
 
 def openapi(app: FastAPI) -> dict[str, Any]:
     """Return the description of an application's public routes."""
-    routes = [route for route in app.routes if isinstance(route, APIRoute) and PUBLIC in route.tags]
+    routes = [_with_shapes(route) for route in app.routes if isinstance(route, APIRoute) and PUBLIC in route.tags]
     found = get_openapi(title="groundslab", version=str(FORMAT), description=_ABOUT, routes=routes)
     token = {"type": "apiKey", "in": "header", "name": "X-Groundslab-Token"}
     found.setdefault("components", {})["securitySchemes"] = {"token": token}
     return found | {"security": [{"token": []}]}
+
+
+def _with_shapes(route: APIRoute) -> APIRoute:
+    """Return a public route that knows the shapes of its responses."""
+    responses = {
+        status: {"model" if key == SHAPE else key: part for key, part in response.items()}
+        for status, response in route.responses.items()
+    }
+    return APIRoute(
+        route.path,
+        route.endpoint,
+        methods=list(route.methods),
+        tags=route.tags,
+        summary=route.summary,
+        responses=responses,
+    )

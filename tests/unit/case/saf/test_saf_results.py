@@ -56,17 +56,15 @@ def put_back(model: gs.Model, path: Path, name: str) -> gs.Model:
     return gs.Model(**parts, mesh=coarse(model))
 
 
-def sums(model: gs.Model) -> list[tuple[str, set[float]]]:
-    """Return limit states and factors of all combinations; loads without a case have one that they get in the file."""
-    return [(each.limit_state, {factor for _, factor in each.factors}) for each in list_combinations(model)]
-
-
 def few(model: gs.Model) -> gs.Model:
-    """Return a model with the first combination of each limit state and the last of all."""
+    """Return a model with the last combination, and the first ones with cases that are in none of those taken."""
     placed = as_solved(model)
-    last = placed.combinations[-1:]
-    first = {each.limit_state: each for each in reversed(placed.combinations)}.values()
-    return placed.model_copy(update={"combinations": tuple(dict.fromkeys([*first, *last]))})
+    taken, cases = list(placed.combinations[-1:]), set[str]()
+    for combination in placed.combinations[-1:] + placed.combinations[:-1]:
+        present = {name for name, factor in combination.factors if factor}
+        taken += [combination] if not present <= cases and combination not in taken else []
+        cases |= present
+    return placed.model_copy(update={"combinations": tuple(taken)})
 
 
 @pytest.mark.slow
