@@ -32,7 +32,7 @@ NOT_COMPARED = {
 #: whose pressure balances the moment by other chords in place of its circle.
 SAME, ROUND = 1e-9, 2e-5
 #: Elements along the longer side.
-COARSE = 6
+COARSE = 4
 
 
 def coarse(model: gs.Model) -> gs.Mesh:
