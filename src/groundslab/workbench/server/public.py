@@ -89,7 +89,7 @@ def _with_shapes(route: APIRoute) -> APIRoute:
     return APIRoute(
         route.path,
         route.endpoint,
-        methods=list(route.methods),
+        methods=sorted(route.methods or ()),
         tags=route.tags,
         summary=route.summary,
         responses=responses,

@@ -86,6 +86,7 @@ def drawing(tmp_path: Path) -> Path:
     return path
 
 
+@pytest.mark.usefixtures("reading_here")
 def test_the_layers_of_a_drawing(bench: Bench, drawing: Path) -> None:
     """Its unit, each layer with its entities by kind, what its name says it is, and its lines [m], arcs as chords."""
     assert bench.get(f"/api/files?folder={drawing.parent}")["drawings"] == ["plan.dxf"]
@@ -128,6 +129,7 @@ def test_a_case_from_a_drawing(bench: Bench, drawing: Path) -> None:
     assert "A-DOORS" not in answer["report"]
 
 
+@pytest.mark.usefixtures("reading_here")
 def test_the_gaps_that_are_closed(bench: Bench, tmp_path: Path) -> None:
     """A gap of 3 mm is an issue, unless wider ones are to be closed; the report names it."""
     document = ezdxf.new(units=6)
@@ -140,6 +142,7 @@ def test_the_gaps_that_are_closed(bench: Bench, tmp_path: Path) -> None:
     assert "a gap of 0.003 m was closed at (4, 0.003) m" in report
 
 
+@pytest.mark.usefixtures("reading_here")
 def test_outlines_side_by_side(bench: Bench, tmp_path: Path) -> None:
     """A house and its garage are refused, unless they are to be one."""
     document = ezdxf.new(units=6)
@@ -153,6 +156,7 @@ def test_outlines_side_by_side(bench: Bench, tmp_path: Path) -> None:
     assert "outline: 14 m x 6 m, 84 m^2" in report
 
 
+@pytest.mark.usefixtures("reading_here")
 def test_the_origin_and_the_unit_that_are_chosen(bench: Bench, drawing: Path) -> None:
     """The middle of the slab becomes the origin; a unit that is given wins over that of the drawing."""
     answer = bench.convert(drawing, ROLES, centered=True)
@@ -168,6 +172,7 @@ def test_the_origin_and_the_unit_that_are_chosen(bench: Bench, drawing: Path) ->
     assert "the drawing says that its unit is mm; it was read in cm as given" in answer["report"]
 
 
+@pytest.mark.usefixtures("reading_here")
 def test_wrong_choices_are_issues_and_leave_the_document(bench: Bench, drawing: Path) -> None:
     """No outline, a role that there is not, a unit that is none, a missing unit: all of them in words."""
     before = bench.get("/api/state")["text"]
@@ -190,6 +195,7 @@ def test_wrong_choices_are_issues_and_leave_the_document(bench: Bench, drawing: 
 
 
 @pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="the system has no named pipes")
+@pytest.mark.usefixtures("reading_here")
 def test_files_that_are_no_drawings(bench: Bench, tmp_path: Path) -> None:
     """Pipes, devices, folders, other files, names that no file can have: refused in words, never waited for."""
     os.mkfifo(tmp_path / "pipe.dxf")

@@ -41,6 +41,7 @@ class Bench:
 
     def __init__(self, folder: Path, text: str = TEXT) -> None:
         hub = Hub()
+        self.folder = folder
         self.solved = threading.Event()
 
         def publish(name: str, data: dict[str, object]) -> None:
@@ -73,6 +74,21 @@ def bench(tmp_path: Path) -> Iterator[Bench]:
     made = Bench(tmp_path)
     yield made
     made.session.close()
+
+
+@pytest.fixture(scope="module")
+def solved_bench(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Bench]:
+    """A workbench with a small case that is solved, whose document stays as it is."""
+    made = Bench(tmp_path_factory.mktemp("solved"))
+    made.wait()
+    yield made
+    made.session.close()
+
+
+@pytest.fixture(scope="module")
+def kept(solved_bench: Bench) -> Path:
+    """The results of that case in a folder."""
+    return gs.save_results(gs.solve(gs.load(solved_bench.folder / "slab.toml")), solved_bench.folder / "slab")
 
 
 def notes_of(answer: asgi.Answer) -> list[str]:
@@ -114,45 +130,47 @@ def test_a_case_with_errors_has_no_file(bench: Bench) -> None:
     assert "thickness" in json.dumps(bench.get("saf", 422).json())
 
 
-def test_files_of_a_run(bench: Bench) -> None:
+def test_files_of_a_run(solved_bench: Bench) -> None:
     """They have names; what cannot be made is explained, and so are runs that are not kept and names of no file."""
-    run = bench.wait()
-    plan = bench.get(f"results/{run}/exports/plan.dxf", field="pressure")
+    run = solved_bench.wait()
+    plan = solved_bench.get(f"results/{run}/exports/plan.dxf", field="pressure")
     assert plan.headers["content-disposition"].endswith("slab-pressure.dxf")
     assert b"drawn by groundslab" in plan.content[:100_000]
     assert notes_of(plan) == []
-    assert bench.get(f"results/{run}/exports/tables.xlsx").content.startswith(b"PK")
-    assert "bottom_x" in bench.get(f"results/{run}/exports/bars.dxf", 422).json()["error"]["hint"]
-    assert "one of" in bench.get(f"results/{run}/exports/plan.pdf", 422, field="colour").json()["error"]["expected"]
-    assert bench.get("results/99/exports/plan.pdf", 422).json()["error"]["location"] == "the export"
+    assert solved_bench.get(f"results/{run}/exports/tables.xlsx").content.startswith(b"PK")
+    assert "bottom_x" in solved_bench.get(f"results/{run}/exports/bars.dxf", 422).json()["error"]["hint"]
+    assert (
+        "one of" in solved_bench.get(f"results/{run}/exports/plan.pdf", 422, field="colour").json()["error"]["expected"]
+    )
+    assert solved_bench.get("results/99/exports/plan.pdf", 422).json()["error"]["location"] == "the export"
     for name in ("plan.exe", "..%2fslab.toml", "saf.dxf"):
-        bench.get(f"results/{run}/exports/{name}", 422)
-    bench.get(f"results/{run}/exports/plan.dxf", 422, field="w" * 1001)
+        solved_bench.get(f"results/{run}/exports/{name}", 422)
+    solved_bench.get(f"results/{run}/exports/plan.dxf", 422, field="w" * 1001)
 
 
-def test_requests_of_others_are_refused(bench: Bench) -> None:
+def test_requests_of_others_are_refused(solved_bench: Bench) -> None:
     """Without the token, under another host, or from another page nothing is made."""
     for path in ("/api/saf", "/api/results/1/exports/plan.dxf", "/api/slabs?file=x.ifc"):
         for headers in ([HOST], [("host", "other"), GOOD[1]], [*GOOD, ("origin", "http://other")]):
-            assert asgi.ask(bench.app, "GET", path, headers).status == 403, (path, headers)
+            assert asgi.ask(solved_bench.app, "GET", path, headers).status == 403, (path, headers)
 
 
-def test_the_server_answers_while_a_file_is_made(bench: Bench, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_server_answers_while_a_file_is_made(solved_bench: Bench, monkeypatch: pytest.MonkeyPatch) -> None:
     """Making one waits in a thread; the state is answered meanwhile."""
-    run, begun, go_on = bench.wait(), threading.Event(), threading.Event()
+    run, begun, go_on = solved_bench.wait(), threading.Event(), threading.Event()
 
     def make_view(_: object) -> bytes:
         begun.set()
         assert go_on.wait(PATIENCE)
         return b"[]\nmade"
 
-    monkeypatch.setattr(bench.session.analyses.solver, "make_view", make_view)
+    monkeypatch.setattr(solved_bench.session.analyses.solver, "make_view", make_view)
     answers: list[asgi.Answer] = []
     path = f"results/{run}/exports/plan.dxf"
-    waiting = threading.Thread(target=lambda: answers.append(bench.get(path)))
+    waiting = threading.Thread(target=lambda: answers.append(solved_bench.get(path)))
     waiting.start()
     assert begun.wait(PATIENCE)
-    assert bench.get("state").json()["version"]
+    assert solved_bench.get("state").json()["version"]
     assert answers == []
     go_on.set()
     waiting.join()
@@ -165,28 +183,27 @@ def _layers_of(content: bytes) -> set[str]:
     return {entity.dxf.layer for entity in ezdxf.read(io.StringIO(content.decode())).modelspace()}
 
 
-def test_results_that_are_looked_at_give_the_same_files(bench: Bench, tmp_path: Path) -> None:
+def test_results_that_are_looked_at_give_the_same_files(solved_bench: Bench, kept: Path, tmp_path: Path) -> None:
     """A plan of a kept folder is that of the command, with the workbench's layers; other runs are refused."""
-    folder = gs.save_results(gs.solve(gs.load(tmp_path / "slab.toml")), tmp_path / "slab")
-    app = create_view_app(ResultsView.read(folder), Tickets(), PORT, TOKEN, tmp_path)
-    run = bench.wait()
+    app = create_view_app(ResultsView.read(kept), Tickets(), PORT, TOKEN, tmp_path)
+    run = solved_bench.wait()
     name = "exports/plan.dxf?field=settlement"
-    kept = asgi.ask(app, "GET", f"/api/results/1/{name}", GOOD)
-    made = asgi.ask(bench.app, "GET", f"/api/results/{run}/{name}", GOOD)
-    assert (kept.status, made.status) == (200, 200)
+    looked_at = asgi.ask(app, "GET", f"/api/results/1/{name}", GOOD)
+    made = asgi.ask(solved_bench.app, "GET", f"/api/results/{run}/{name}", GOOD)
+    assert (looked_at.status, made.status) == (200, 200)
     # that of the folder to the last byte; another run differs by rounding, which moves contours
-    gs.load_results(folder).plot("settlement", to=tmp_path / "plan.dxf")
-    assert kept.content == (tmp_path / "plan.dxf").read_bytes()
-    assert _layers_of(kept.content) == _layers_of(made.content)
+    gs.load_results(kept).plot("settlement", to=tmp_path / "plan.dxf")
+    assert looked_at.content == (tmp_path / "plan.dxf").read_bytes()
+    assert _layers_of(looked_at.content) == _layers_of(made.content)
     assert asgi.ask(app, "GET", "/api/results/1/exports/saf.xlsx", GOOD).content.startswith(b"PK")
     assert asgi.ask(app, "GET", f"/api/results/2/{name}", GOOD).status == 422
 
 
 @pytest.mark.skipif(browsing.chromium() is None, reason="no browser on this machine")
-def test_the_report_as_pdf(bench: Bench) -> None:
+def test_the_report_as_pdf(solved_bench: Bench) -> None:
     """It is printed, as by the command."""
     pytest.importorskip("playwright")
-    answer = bench.get(f"results/{bench.wait()}/exports/report.pdf")
+    answer = solved_bench.get(f"results/{solved_bench.wait()}/exports/report.pdf")
     assert answer.headers["content-disposition"].endswith("slab-report.pdf")
     assert answer.content.startswith(b"%PDF-")
 
@@ -210,12 +227,10 @@ def test_a_difference_to_a_combination_and_to_a_reference(bench: Bench) -> None:
         bench.session.analyses.write_difference(run, Wanted("plan.pdf"), run)
 
 
-def test_results_that_are_looked_at_have_differences_of_combinations_alone(bench: Bench, tmp_path: Path) -> None:
+def test_results_that_are_looked_at_have_differences_of_combinations_alone(kept: Path, tmp_path: Path) -> None:
     """The scene is that of the workbench; another run and a reference are refused."""
-    bench.wait()
-    folder = gs.save_results(gs.solve(gs.load(tmp_path / "slab.toml")), tmp_path / "results")
-    view = create_view_app(ResultsView.read(folder), Tickets(), PORT, TOKEN, tmp_path)
-    (name,) = gs.load_results(folder).results
+    view = create_view_app(ResultsView.read(kept), Tickets(), PORT, TOKEN, tmp_path)
+    (name,) = gs.load_results(kept).results
 
     def ask(path: str, **query: str) -> asgi.Answer:
         return asgi.ask(view, "GET", f"/api/results/{path}?{urlencode(query)}", GOOD)

@@ -75,6 +75,7 @@ def test_a_look_changes_nothing_and_taking_is_one_step(bench: Bench, tmp_path: P
     assert bench.text == CASE
 
 
+@pytest.mark.usefixtures("reading_here")
 def test_choices_reach_the_table(bench: Bench, tmp_path: Path) -> None:
     """What it leaves open is an error with a list, until it is said."""
     file = str(write_table(tmp_path, ETABS.replace(",Q,", ",LIVE,")))

@@ -62,6 +62,7 @@ def bench(tmp_path: Path) -> Iterator[Bench]:
     made.session.close()
 
 
+@pytest.mark.usefixtures("reading_here")
 def test_the_slabs_of_a_house(bench: Bench, tmp_path: Path) -> None:
     """The one on ground comes first, then the others by their heights, with their extent."""
     found = bench.slabs(saf_files.write(tmp_path / "house.xlsx", saf_files.house()))["slabs"]
@@ -82,6 +83,7 @@ def test_a_slab_becomes_the_document(bench: Bench, tmp_path: Path) -> None:
     assert (answer["state"]["file"], answer["state"]["dirty"]) == (None, True)
 
 
+@pytest.mark.usefixtures("reading_here")
 def test_what_is_wrong_is_said(bench: Bench, tmp_path: Path) -> None:
     """An unknown slab, and a row that cannot be read; the document stays."""
     sheets = saf_files.house()
@@ -93,6 +95,7 @@ def test_what_is_wrong_is_said(bench: Bench, tmp_path: Path) -> None:
     assert bench.session.editor.revision.document.text == before
 
 
+@pytest.mark.usefixtures("reading_here")
 def test_other_workbooks_have_no_slabs(bench: Bench, tmp_path: Path) -> None:
     """So a table of reactions is taken as one; what is no workbook is refused."""
     table = [["Joint", "Case", "FZ [kN]"], ["A", "G", 100]]
@@ -121,6 +124,7 @@ def building(tmp_path: Path) -> Path:
     return house.write(tmp_path / "house.ifc")
 
 
+@pytest.mark.usefixtures("reading_here")
 def test_the_slabs_of_a_building(bench: Bench, building: Path) -> None:
     """Storey, size, columns and walls of each, the lowest first; last the one that cannot be read, with the reason."""
     found = bench.slabs(building)["slabs"]
@@ -143,6 +147,7 @@ def test_a_slab_of_a_building_becomes_the_document(bench: Bench, building: Path)
     assert moved == gs.read_ifc(building, "Raft", origin="center", align=True).text
 
 
+@pytest.mark.usefixtures("reading_here")
 def test_what_is_no_building(bench: Bench, building: Path, tmp_path: Path) -> None:
     """Other files, unknown slabs, and what only buildings allow are refused; the server and its document go on."""
     before = bench.session.editor.revision.document.text
