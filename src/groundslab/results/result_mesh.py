@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from functools import cache, partial
 
 import numpy as np
 
@@ -81,7 +82,15 @@ class ResultMesh:
     patches: Patches
     plate: MirroredMesh
     ground: MirroredMesh
-    means: DiscMeans  # of section forces of the full plate where they are singular
+    make_means: Callable[[], DiscMeans]  # makes `means` once
+
+    @property
+    def means(self) -> DiscMeans:
+        """Return the means of section forces of the full plate where they are singular.
+
+        They are made when they are asked for: a mesh whose fields are only taken to a finer one has no need of them.
+        """
+        return self.make_means()
 
     def at_nodes(self, values: Array, names: Sequence[str], sizes: Sequence[Array]) -> Array:
         """Return values at the nodes of the plate's elements (mp, 9, k) from those at their 2 x 2 Gauss points.
@@ -113,6 +122,7 @@ def make_result_mesh(model: Model, problem: Problem) -> ResultMesh:
     at_nodes = np.empty(len(node), dtype=np.int64)
     at_nodes[mesh.elements] = depth[:, None]
     full = mirror_to_full(mesh, problem.symmetry)
+    of_elements = problem.plate.section[full.element], problem.plate.thickness[full.element]
     return ResultMesh(
         mesh=mesh,
         node=node,
@@ -127,9 +137,7 @@ def make_result_mesh(model: Model, problem: Problem) -> ResultMesh:
         patches=patch_recovery.make_patches(parts.nodes, parts.elements, points),
         plate=full,
         ground=mirror_to_full(problem.mesh, problem.symmetry),
-        means=make_disc_means(
-            model, full.mesh, problem.plate.section[full.element], problem.plate.thickness[full.element]
-        ),
+        make_means=cache(partial(make_disc_means, model, full.mesh, *of_elements)),
     )
 
 

@@ -180,6 +180,7 @@ def _make_what_lanes_share(tasks: Mapping[Task, Combination], model: Model, grou
                 hierarchy.level(hierarchy.finest)
         for coarsening in {finest.finest, finest.finest + 1} & finest.levels.keys():
             finest.level(coarsening).result_mesh(model)
+        finest.level(finest.finest).result_mesh(model).make_means()
 
 
 def _clone(grounds: Grounds) -> Grounds:
