@@ -190,18 +190,18 @@ def spoilt(monkeypatch: pytest.MonkeyPatch) -> ModuleType:
 @pytest.mark.slow
 @pytest.mark.skipif(sys.platform != "linux", reason="a process of its own for each input, as Linux has them")
 def test_spoilt_inputs_are_read_or_refused(tmp_path: Path) -> None:
-    """Of forty inputs none raises anything but an error of groundslab's own, or takes long or much memory.
+    """Of two dozen inputs none raises anything but an error of groundslab's own, or takes long or much memory.
 
     In a process of its own: what the tests before have left in memory would count.
     """
-    program = "import json, spoilt_inputs; print(json.dumps(spoilt_inputs.main(40, 3)))"
+    program = "import json, spoilt_inputs; print(json.dumps(spoilt_inputs.main(24, 3)))"
     environment = os.environ | {"PYTHONPATH": str(BENCH)}
     run = subprocess.run(
         [sys.executable, "-c", program], cwd=tmp_path, env=environment, capture_output=True, text=True, check=True
     )
     figures = json.loads(run.stdout.splitlines()[-1])
     assert figures["failures"] == []
-    assert figures["inputs"] == sum(figures["outcomes"].values()) == 40
+    assert figures["inputs"] == sum(figures["outcomes"].values()) == 24
     assert {outcome.partition(":")[0] for outcome in figures["outcomes"]} >= {"case", "drawing", "archive", "study"}
 
 

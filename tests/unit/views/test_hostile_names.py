@@ -81,9 +81,10 @@ def case_text() -> str:
 
 def unseen(text: str) -> set[str]:
     """Return what of a text is obeyed or not seen, by Unicode's categories and its list of ignorable letters."""
+    letters = set(text)
     odd = {
-        letter for letter in text if unicodedata.category(letter) in ("Cc", "Cf", "Cs", "Co", "Cn", "Zl", "Zp")
-    } | set("\u3164\ufe0f") & set(text)
+        letter for letter in letters if unicodedata.category(letter) in ("Cc", "Cf", "Cs", "Co", "Cn", "Zl", "Zp")
+    } | set("\u3164\ufe0f") & letters
     return {f"{ord(letter):04x}" for letter in odd - set("\n\t")}
 
 

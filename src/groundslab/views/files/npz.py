@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import json
 import math
 import stat
@@ -203,14 +204,21 @@ def _stored(path: Path) -> dict[str, Any]:
 
 def _array(archive: zipfile.ZipFile, member: zipfile.ZipInfo) -> Any:
     """Return one array of an archive."""
-    with archive.open(member) as file:
-        version = np.lib.format.read_magic(file)
-        of_version = {(1, 0): np.lib.format.read_array_header_1_0, (2, 0): np.lib.format.read_array_header_2_0}
-        shape, _, dtype = of_version[version](file)
-        if dtype.hasobject or dtype.itemsize * math.prod(shape) != member.file_size - file.tell():
-            raise ValueError(f"{member.filename}: an array of another size than its bytes")
-        file.seek(0)
-        return np.lib.format.read_array(file, allow_pickle=False)
+    content = archive.read(member)
+    length = content[8:10] if content[6:7] == b"\x01" else content[8:12]  # by the version of the format
+    shape, in_columns, dtype, start = _head(content[: 8 + len(length) + int.from_bytes(length, "little")])
+    if dtype.hasobject or dtype.itemsize * math.prod(shape) != len(content) - start:
+        raise ValueError(f"{member.filename}: an array of another size than its bytes")
+    return np.ndarray(shape, dtype, content, start, order="F" if in_columns else "C").copy("A")
+
+
+@lru_cache(maxsize=1000)
+def _head(content: bytes) -> tuple[tuple[int, ...], bool, np.dtype[Any], int]:
+    """Return shape, order, type and length of the head that an array begins with; most arrays have one of few."""
+    file = io.BytesIO(content)
+    version = np.lib.format.read_magic(file)
+    of_version = {(1, 0): np.lib.format.read_array_header_1_0, (2, 0): np.lib.format.read_array_header_2_0}
+    return *of_version[version](file), file.tell()
 
 
 @cache
