@@ -93,13 +93,13 @@ def _number_shared(rank: Integers, present: Flags, group: Integers) -> Integers:
     """Return unknown numbers (n, F) of which the nodes of one group in a field (n, F) share one."""
     n, fields = present.shape
     last = np.full((n, fields), -1)
-    for each in range(fields):
-        np.maximum.at(last[:, each], group[:, each], rank)
+    for column in range(fields):
+        np.maximum.at(last[:, column], group[:, column], rank)
     at_last = np.take_along_axis(last, group, axis=0) == rank[:, None]
-    own = number_unknowns(rank, present & at_last)
+    numbers = number_unknowns(rank, present & at_last)
     of_group = np.full((n, fields), -1)
     node, field = np.nonzero(at_last)
-    of_group[group[node, field], field] = own[node, field]
+    of_group[group[node, field], field] = numbers[node, field]
     return np.where(present, np.take_along_axis(of_group, group, axis=0), -1)
 
 
@@ -130,11 +130,11 @@ def build_pattern(elements: Integers, rank: Integers, unknown: Integers, linked:
     rows = np.concatenate([[0], np.flatnonzero(np.diff(low)) + 1, [len(low)]])
     indptr, base = _index_rows(rows, first, second, unknown >= 0)
     cuts, entries = _cut_rows(rows, first, unknown >= 0, indptr)
-    own = number_unknowns(rank, unknown >= 0)
-    indices, taken = _place_entries(first, second, own, indptr, base, cuts)
+    unmerged = number_unknowns(rank, unknown >= 0)
+    indices, taken = _place_entries(first, second, unmerged, indptr, base, cuts)
     merging = None
-    if own.max(initial=-1) > unknown.max(initial=-1):
-        indptr, indices, merging = _merge(indptr, indices, own, unknown)
+    if unmerged.max(initial=-1) > unknown.max(initial=-1):
+        indptr, indices, merging = _merge(indptr, indices, unmerged, unknown)
     return Pattern(
         unknown, rank, first, second, keys, starts, element, place, indptr, indices, cuts, entries, taken, merging
     )
@@ -239,12 +239,12 @@ def assemble(
     data = np.empty(len(p.taken))
     number, F = np.zeros(int(kind.max()) + 1, dtype=np.int32), p.unknown.shape[1]
     for (start, stop), entries in zip(pairwise(p.cuts), pairwise(p.entries), strict=True):
-        own = slice(p.starts[start], p.starts[stop])
-        which = kind[p.element[own]]
+        chunk = slice(p.starts[start], p.starts[stop])
+        which = kind[p.element[chunk]]
         number[which] = 1
         kinds = np.flatnonzero(number)
         number[kinds] = np.arange(len(kinds))
-        column = number[which] * np.int32(81) + p.place[own]
+        column = number[which] * np.int32(81) + p.place[chunk]
         added = csr_array(
             (np.ones(len(column)), column, p.starts[start : stop + 1] - p.starts[start]),
             shape=(stop - start, 81 * len(kinds)),
@@ -271,10 +271,10 @@ def sums_over_elements(p: Pattern, kind: Integers, matrices: Array) -> csr_array
 def entries_of_pairs(p: Pattern) -> Indices:
     """Return which addends of the matrix are those (pairs, F, F) of each pair of nodes, -1 where there are none."""
     F = p.unknown.shape[1]
-    found = np.full(len(p.first) * F * F, -1, dtype=np.int32)
+    addends = np.full(len(p.first) * F * F, -1, dtype=np.int32)
     for start, (begin, end) in zip(p.cuts, pairwise(p.entries), strict=False):
-        found[start * F * F + p.taken[begin:end]] = np.arange(begin, end)
-    return found.reshape(-1, F, F)
+        addends[start * F * F + p.taken[begin:end]] = np.arange(begin, end)
+    return addends.reshape(-1, F, F)
 
 
 def scatter(places: Integers, values: Array, size: int) -> Array:

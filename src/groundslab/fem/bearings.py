@@ -45,7 +45,7 @@ class Bearings:
 
     def select(self, which: Integers | Flags) -> Bearings:
         """Return some of the bearings, by number (k,) or mask (c,)."""
-        return Bearings(*(getattr(self, each.name)[which] for each in fields(self)))
+        return Bearings(*(getattr(self, field.name)[which] for field in fields(self)))
 
 
 @dataclass(frozen=True, slots=True)
@@ -81,14 +81,14 @@ def make_bearings(
 ) -> Bearings:
     """Return bearings on unknowns (c,) from what each has (c,) or all have; rigid and without limits by default."""
     s, start, k, F = (
-        np.broadcast_to(each, unknown.shape).astype(float) for each in (sign, offset, stiffness, limit_force)
+        np.broadcast_to(value, unknown.shape).astype(float) for value in (sign, offset, stiffness, limit_force)
     )
     return Bearings(unknown, s, start, k, F, np.full(len(unknown), bilateral))
 
 
 def concatenate(*parts: Bearings) -> Bearings:
     """Return the bearings of several parts as one list."""
-    return Bearings(*(np.concatenate([getattr(part, each.name) for part in parts]) for each in fields(Bearings)))
+    return Bearings(*(np.concatenate([getattr(part, field.name) for part in parts]) for field in fields(Bearings)))
 
 
 #: What links across joints are of, besides a joint by its number: the ground's surface, or a beam or wall that goes on.
@@ -113,31 +113,31 @@ class Links:
     @property
     def shared(self) -> Flags:
         """Return which links (l,) are hinges, or of a member, whose nodes share the unknown of one field."""
-        found: Flags = (self.joint != SURFACE) & self.rigid
-        return found
+        mask: Flags = (self.joint != SURFACE) & self.rigid
+        return mask
 
     @property
     def holds(self) -> Flags:
         """Return which links (l,) hold two plates to each other: of joints that carry something, and of members."""
-        found: Flags = (self.joint != SURFACE) & (self.stiffness > 0)
-        return found
+        mask: Flags = (self.joint != SURFACE) & (self.stiffness > 0)
+        return mask
 
     def select(self, which: Flags) -> Links:
         """Return some of the links by a mask (l,)."""
-        return Links(*(getattr(self, each.name)[which] for each in fields(self)))
+        return Links(*(getattr(self, field.name)[which] for field in fields(self)))
 
     def difference(self, U: Array) -> Array:
         """Return the difference (l,) [m] of the first node less the second, from the table U (n, F)."""
         first, second = self.nodes.T
-        found: Array = ((U[first] - U[second]) * self.fields).sum(axis=1)
-        return found
+        difference: Array = ((U[first] - U[second]) * self.fields).sum(axis=1)
+        return difference
 
     def spread(self, force: Array, nodes: int) -> Array:
         """Return the forces (n, F) at nodes that links resist with, from that of each link (l,) at its first node."""
-        found, by_field = np.zeros((nodes, self.fields.shape[1])), force[:, None] * self.fields
-        np.add.at(found, self.nodes[:, 0], by_field)
-        np.add.at(found, self.nodes[:, 1], -by_field)
-        return found
+        forces, by_field = np.zeros((nodes, self.fields.shape[1])), force[:, None] * self.fields
+        np.add.at(forces, self.nodes[:, 0], by_field)
+        np.add.at(forces, self.nodes[:, 1], -by_field)
+        return forces
 
 
 @dataclass(frozen=True, slots=True)
@@ -166,5 +166,5 @@ def largest_of_parts(values: Array, part: Integers | None) -> Array:
         return np.full(len(values), sizes.max(initial=0.0))
     largest = np.zeros(part.max() + 2)  # the last one of what is beside all plates, whose number is -1
     np.maximum.at(largest, part, sizes)
-    found: Array = np.maximum(largest, LEAST * largest.max())[part]
-    return found
+    bounded: Array = np.maximum(largest, LEAST * largest.max())[part]
+    return bounded

@@ -35,7 +35,7 @@ class Blocks:
     def of(self, kinds: Integers) -> Blocks:
         """Return the blocks of some kinds (k,), renumbered."""
         every = self.plate, self.mass, self.slope, self.T, self.P, self.membrane
-        return Blocks(np.arange(len(kinds)), *(each[kinds] for each in every))
+        return Blocks(np.arange(len(kinds)), *(array[kinds] for array in every))
 
     def between_unknowns(self, fields: int, in_plane: tuple[int, ...]) -> Array:
         """Return the plate's matrices between unknowns of nodes, (u, 9, 9, F, F); in_plane are the fields u and v."""

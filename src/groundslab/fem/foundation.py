@@ -97,7 +97,7 @@ class Layer:
 
     def at(self, columns: slice | Flags) -> Layer:
         """Return the layer of some of the columns."""
-        thickness, c0, c1, c2, nu = (np.asarray(each)[columns] for each in (self.thickness, *self.moduli, self.nu))
+        thickness, c0, c1, c2, nu = (np.asarray(value)[columns] for value in (self.thickness, *self.moduli, self.nu))
         return Layer(thickness, (c0, c1, c2), nu)
 
     def split(self, n: int) -> list[Layer]:
@@ -159,11 +159,11 @@ def mass_and_slope(xy: Array) -> tuple[Array, Array]:
     N = q9(points)[0]
     mass, slope = (np.empty((len(xy), 9, 9)) for _ in range(2))
     for start in range(0, len(xy), CHUNK):
-        some = slice(start, start + CHUNK)
-        x, y, det = derivatives(points, xy[some])
+        chunk = slice(start, start + CHUNK)
+        x, y, det = derivatives(points, xy[chunk])
         dA = det * weights
-        mass[some] = (dA @ (N[:, :, None] * N[:, None, :]).reshape(-1, 81)).reshape(-1, 9, 9)
-        slope[some] = x.swapaxes(1, 2) @ (dA[..., None] * x) + y.swapaxes(1, 2) @ (dA[..., None] * y)
+        mass[chunk] = (dA @ (N[:, :, None] * N[:, None, :]).reshape(-1, 81)).reshape(-1, 9, 9)
+        slope[chunk] = x.swapaxes(1, 2) @ (dA[..., None] * x) + y.swapaxes(1, 2) @ (dA[..., None] * y)
     return mass, slope
 
 

@@ -41,13 +41,13 @@ def _find_hanging(elements: Integers) -> Integers:
     order = np.argsort(keys)
     halves = sides[both[sides[:, :2]].any(axis=1)]
     ends, place = np.sort(halves[:, :2], axis=1), np.zeros(len(halves), dtype=np.int64)
-    found = np.zeros(len(halves), dtype=bool)
+    hanging = np.zeros(len(halves), dtype=bool)
     for one, other in (ends.T, ends[:, ::-1].T):
         at = np.minimum(np.searchsorted(keys[order], one * n + other), len(keys) - 1)
         same = keys[order[at]] == one * n + other
-        place[same], found = order[at[same]], found | same
-    place = place[found]
-    return np.column_stack([halves[found, 2], near[place], middle[place], far[place]])
+        place[same], hanging = order[at[same]], hanging | same
+    place = place[hanging]
+    return np.column_stack([halves[hanging, 2], near[place], middle[place], far[place]])
 
 
 #: Hanging nodes and what moves them, which are asked for again and again.

@@ -108,12 +108,12 @@ def integrate_over_polygons(
     wholly = np.zeros((len(parts), len(near)), dtype=bool)
     for number, part in enumerate(parts):
         prepare(part)
-        some = np.flatnonzero(met[number, near])
-        some = some[intersects(outlines[some], part)]
-        inside = contains(part, outlines[some])
-        wholly[number, some[inside]] = True
-        cut.append(number * len(near) + some[~inside])
-        pieces.append(intersection(outlines[some[~inside]], part))
+        candidates = np.flatnonzero(met[number, near])
+        candidates = candidates[intersects(outlines[candidates], part)]
+        inside = contains(part, outlines[candidates])
+        wholly[number, candidates[inside]] = True
+        cut.append(number * len(near) + candidates[~inside])
+        pieces.append(intersection(outlines[candidates[~inside]], part))
     whole = np.flatnonzero(wholly.any(axis=0))
     of_whole = np.zeros((len(near), 9))
     of_whole[whole] = integrate_over_elements(mesh, elements[near[whole]], pressure)
@@ -195,8 +195,8 @@ def _find_crossings(mesh: Mesh, elements: Integers, edge: Segment, chords: int) 
         middle = abs(edge.sweep) / 2
         # the turn that is nearest to the middle of the arc, so that rounding at its ends does not lead once around
         parts = (np.mod(turn - middle + math.pi, 2 * math.pi) + middle - math.pi) / abs(edge.sweep)
-    found: Array = np.round(np.clip(parts, 0, 1), 12)
-    return found
+    rounded: Array = np.round(np.clip(parts, 0, 1), 12)
+    return rounded
 
 
 def integrate_at_point(mesh: Mesh, elements: Integers, point: Array) -> Array:

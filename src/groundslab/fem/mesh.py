@@ -192,11 +192,11 @@ def local_coordinates(mesh: Mesh, element: Integers, points: Array) -> Array:
     C = np.einsum("ia,jb,mbax->xijm", MONOMIALS, MONOMIALS, (xy - xy[:, 8:])[:, GRID])
     curved = np.maximum(abs(C[:, 2]), abs(C[:, :, 2])).max(axis=(0, 1)) > 1e-14 * abs(xy).max(axis=(1, 2))
     local = np.zeros((2, len(points)))
-    for powers, some in ((2, np.flatnonzero(~curved[which])), (3, np.flatnonzero(curved[which]))):
-        for start in range(0, len(some), _CHUNK):
-            left = some[start : start + _CHUNK]
-            own, offset = C[:, :powers, :powers, which[left]], (points[left] - xy[which[left], 8]).T
-            local[:, left] = _invert(own, offset)
+    for powers, indices in ((2, np.flatnonzero(~curved[which])), (3, np.flatnonzero(curved[which]))):
+        for start in range(0, len(indices), _CHUNK):
+            left = indices[start : start + _CHUNK]
+            coefficients, offset = C[:, :powers, :powers, which[left]], (points[left] - xy[which[left], 8]).T
+            local[:, left] = _invert(coefficients, offset)
     return local.T
 
 
@@ -207,7 +207,7 @@ def _invert(C: Array, offset: Array) -> Array:
         if not len(left):
             break
         before = local[:, left]
-        (x, x_xi, x_eta), (y, y_xi, y_eta) = (_polynomial(each, *before) for each in C)
+        (x, x_xi, x_eta), (y, y_xi, y_eta) = (_polynomial(coefficients, *before) for coefficients in C)
         dx, dy = offset - (x, y)
         step = np.array([y_eta * dx - x_eta * dy, x_xi * dy - y_xi * dx]) / (x_xi * y_eta - x_eta * y_xi)
         local[:, left] = np.clip(before + step, -1.5, 1.5)
@@ -301,8 +301,8 @@ def meeting_halves(elements: Integers) -> Flags:
     """Return which nodes (n,) are corners of some elements and the middle of another one's side."""
     corner, middle = np.zeros((2, int(elements.max(initial=-1)) + 1), dtype=bool)
     corner[elements[:, :4]] = middle[elements[:, 4:8]] = True
-    found: Flags = corner & middle
-    return found
+    both: Flags = corner & middle
+    return both
 
 
 def sides_along(mesh: Mesh, elements: Integers, edges: Iterable[Segment]) -> Integers:
@@ -315,8 +315,8 @@ def sides_of(mesh: Mesh, elements: Integers) -> Integers:
     sides = elements[:, SIDES].reshape(-1, 3)
     one_of = np.full(len(mesh.nodes), -1)
     one_of[sides[::-1, 2]] = np.arange(len(sides))[::-1]
-    found: Integers = sides[one_of[one_of >= 0]]
-    return found
+    unique: Integers = sides[one_of[one_of >= 0]]
+    return unique
 
 
 def select_along(mesh: Mesh, sides: Integers, edges: Iterable[Segment]) -> Integers:
@@ -328,10 +328,10 @@ def select_along(mesh: Mesh, sides: Integers, edges: Iterable[Segment]) -> Integ
         x0, x1, y0, y1 = edge.bounds
         low = np.array((x0, y0))
         high = np.array((x1, y1))
-        some = np.flatnonzero(((middle >= low - near) & (middle <= high + near)).all(axis=1) & ~on_any)
-        on_any[some] = (edge.distance(mesh.nodes[sides[some]].reshape(-1, 2)).reshape(-1, 3) <= near).all(axis=1)
-    found: Integers = sides[on_any]
-    return found
+        nearby = np.flatnonzero(((middle >= low - near) & (middle <= high + near)).all(axis=1) & ~on_any)
+        on_any[nearby] = (edge.distance(mesh.nodes[sides[nearby]].reshape(-1, 2)).reshape(-1, 3) <= near).all(axis=1)
+    along: Integers = sides[on_any]
+    return along
 
 
 def separate(mesh: Mesh, part: Integers) -> Mesh:
@@ -340,21 +340,21 @@ def separate(mesh: Mesh, part: Integers) -> Mesh:
     part (m,) is the number of each element's part, -1 for what keeps the nodes of the first part that it meets. Each
     further part that meets there has nodes of its own, which come last.
     """
-    own = part >= 0
-    keys, number = unique_integers(mesh.elements[own] * (part.max(initial=0) + 1) + part[own][:, None])
+    in_part = part >= 0
+    keys, number = unique_integers(mesh.elements[in_part] * (part.max(initial=0) + 1) + part[in_part][:, None])
     node = keys // (part.max(initial=0) + 1)
     again = np.concatenate([[False], node[1:] == node[:-1]])
     renumbered = np.where(again, len(mesh.nodes) + np.cumsum(again) - 1, node)
     elements = mesh.elements.copy()
-    elements[own] = renumbered[number].reshape(-1, 9)
+    elements[in_part] = renumbered[number].reshape(-1, 9)
     return Mesh(np.vstack([mesh.nodes, mesh.nodes[node[again]]]), elements)
 
 
 def first_at_place(mesh: Mesh) -> Integers:
     """Return the first node at the place of each node (n,), exactly there: itself unless parts were made separate."""
     _, first, same = np.unique(mesh.nodes + 0.0, axis=0, return_index=True, return_inverse=True)
-    found: Integers = first[same.reshape(-1)]
-    return found
+    nodes: Integers = first[same.reshape(-1)]
+    return nodes
 
 
 def renumber_by_rows(mesh: Mesh) -> tuple[Mesh, Integers, Integers]:

@@ -70,29 +70,29 @@ class PlateElement:
         halves (m, 4) tell which sides are half of a neighbor's, see `hanging.find_halves`; by default none is.
         """
         B = np.stack([
-            each.functions @ sums_of_covariant_shear(axis, each.points, each.factors, xy, T)
-            for axis, each in enumerate(self.sample(points))
+            sampling.functions @ sums_of_covariant_shear(axis, sampling.points, sampling.factors, xy, T)
+            for axis, sampling in enumerate(self.sample(points))
         ], axis=1)  # fmt: skip
         if self.tied and halves is not None:
-            for some, middle, unknown, share in _whole_sides(xy, halves):
-                B[some, :, :, unknown] += share[:, None, None] * B[some, :, :, middle]
+            for elements, middle, unknown, share in _whole_sides(xy, halves):
+                B[elements, :, :, unknown] += share[:, None, None] * B[elements, :, :, middle]
         return B
 
     def covariant_strain(self, points: Array, xy: Array, u: Array, halves: Integers | None = None) -> Array:
         """Return B u (m, p, 2) for unknowns u (m, 27), see `covariant_shear`."""
         w, beta = u[:, :9].copy(), u[:, 9:].reshape(-1, 2, 9)
         if self.tied and halves is not None:
-            for some, middle, unknown, share in _whole_sides(xy, halves):
-                w[some, middle] += share * u[some, unknown]
+            for elements, middle, unknown, share in _whole_sides(xy, halves):
+                w[elements, middle] += share * u[elements, unknown]
         if not self.center_w:
             w[:, 8] = (_centre_from_boundary(xy) * w[:, :8]).sum(axis=1)
-        found = np.empty((len(u), len(points), 2))
-        for axis, each in enumerate(self.sample(points)):
-            N, dN = q9(each.points)
+        shear = np.empty((len(u), len(points), 2))
+        for axis, sampling in enumerate(self.sample(points)):
+            N, dN = q9(sampling.points)
             d = dN[:, axis].T
             strain = w @ d - ((xy.swapaxes(1, 2) @ d) * (beta @ N.T)).sum(axis=1)
-            found[..., axis] = strain @ (each.functions @ each.factors).T
-        return found
+            shear[..., axis] = strain @ (sampling.functions @ sampling.factors).T
+        return shear
 
 
 def bending_strain(points: Array, xy: Array) -> Array:
@@ -118,8 +118,8 @@ def sums_of_covariant_shear(axis: int, points: Array, factors: Array, xy: Array,
 
 def displacement_shear(points: Array) -> tuple[Sampling, Sampling]:
     """Return where strains straight from displacements are taken: at the points (p, 2) themselves."""
-    each = Sampling(points, np.eye(len(points)), np.eye(len(points)))
-    return each, each
+    sampling = Sampling(points, np.eye(len(points)), np.eye(len(points)))
+    return sampling, sampling
 
 
 def tied_shear(points: Array) -> tuple[Sampling, Sampling]:
@@ -144,11 +144,11 @@ def _whole_sides(xy: Array, halves: Integers) -> Iterator[tuple[Integers, int, i
     1/4 of the half's length times the second difference of beta along it. With the parabola's w, elements would lock.
     """
     for side, (start, end, middle) in enumerate(SIDES):
-        some = np.flatnonzero(halves[:, side])
-        way = halves[some, side, None] * (xy[some, end] - xy[some, start]) / 4
+        elements = np.flatnonzero(halves[:, side])
+        way = halves[elements, side, None] * (xy[elements, end] - xy[elements, start]) / 4
         for k in (0, 1):
             for node, share in ((start, 1), (middle, -2), (end, 1)):
-                yield some, middle, 9 * (k + 1) + node, share * way[:, k]
+                yield elements, middle, 9 * (k + 1) + node, share * way[:, k]
 
 
 def _tying_functions(points: Array) -> Array:
@@ -208,9 +208,9 @@ def stiffness(element: PlateElement, xy: Array, D: Array, S: Array, T: Array, ha
     """
     K = np.empty((len(xy), 27, 27))
     for start in range(0, len(xy), CHUNK):
-        some = slice(start, start + CHUNK)
-        K[some] = _shear_stiffness(element, xy[some], S[some], T[some], None if halves is None else halves[some])
-        K[some, 9:, 9:] += symmetric_gradient_stiffness(xy[some], D[some])
+        chunk = slice(start, start + CHUNK)
+        K[chunk] = _shear_stiffness(element, xy[chunk], S[chunk], T[chunk], None if halves is None else halves[chunk])
+        K[chunk, 9:, 9:] += symmetric_gradient_stiffness(xy[chunk], D[chunk])
     return K
 
 

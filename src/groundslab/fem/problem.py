@@ -150,20 +150,20 @@ class Problem:
         b = self.beams
         if not b.deep.any() and self.building is None:
             return U
-        found = U.copy()
-        some = b.deep
-        sides = b.sides[some]
-        found[sides, b.theta[some, None]] = (b.along[some] * U[sides, BETA_X : BETA_Y + 1]).sum(axis=2)
-        return found if self.building is None else self.building.with_own(found)
+        table = U.copy()
+        deep = b.deep
+        sides = b.sides[deep]
+        table[sides, b.theta[deep, None]] = (b.along[deep] * U[sides, BETA_X : BETA_Y + 1]).sum(axis=2)
+        return table if self.building is None else self.building.with_own(table)
 
     def turned(self, forces: Array) -> Array:
         """Return what couples of forces (n, F) on sections of walls are for the plate that these turn with, (n, 3)."""
-        b, found = self.beams, np.zeros((len(forces), TOP))
+        b, moments = self.beams, np.zeros((len(forces), TOP))
         for field in set(b.theta[b.deep].tolist()):
-            own, along = b.theta == field, np.zeros((len(forces), 2))
-            along[b.sides[own]] = b.along[own]
-            found[:, BETA_X : BETA_Y + 1] += forces[:, field, None] * along
-        return found
+            mask, along = b.theta == field, np.zeros((len(forces), 2))
+            along[b.sides[mask]] = b.along[mask]
+            moments[:, BETA_X : BETA_Y + 1] += forces[:, field, None] * along
+        return moments
 
     def nodal_sizes(self, forces: Array) -> Array:
         """Return the largest of the forces (n, F) at each node, moments over the plate's length, (n,) [N]."""
@@ -201,8 +201,8 @@ def plate_unknowns(problem: Problem, U: Array) -> Array:
         return _less_plane(motions, U, elements)
     u = np.empty((len(elements), 27))
     for number in range(len(problem.plate.names)):
-        own = problem.plate.number == number
-        u[own] = _less_plane(motions, U, elements[own])
+        mask = problem.plate.number == number
+        u[mask] = _less_plane(motions, U, elements[mask])
     return u
 
 
@@ -232,12 +232,12 @@ def move_plates(problem: Problem, motions: Array) -> Array:
     """
     alone = planes(problem)
     if len(problem.plate.names) == 1:
-        found: Array = alone @ motions
-        return found
+        moved: Array = alone @ motions
+        return moved
     moved = np.zeros((len(alone), TOP, motions.shape[1]))
     for number in range(len(problem.plate.names)):
-        own = problem.nodes_of(number)
-        moved[own] = alone[own] @ motions[3 * number : 3 * number + 3]
+        nodes = problem.nodes_of(number)
+        moved[nodes] = alone[nodes] @ motions[3 * number : 3 * number + 3]
     return moved
 
 
@@ -249,10 +249,10 @@ def motion_rows(problem: Problem, nodes: Integers, field: Integers) -> Array:
     count = len(problem.plate.names)
     if count == 1:
         return rows
-    found = np.zeros((len(nodes), 3 * count))
+    by_plate = np.zeros((len(nodes), 3 * count))
     columns = 3 * problem.plate_at_nodes[nodes][:, None] + np.arange(3)
-    np.put_along_axis(found, columns, rows, axis=1)
-    return found
+    np.put_along_axis(by_plate, columns, rows, axis=1)
+    return by_plate
 
 
 def free_motions(problem: Problem, mirrored: bool = False) -> Array:
@@ -275,15 +275,15 @@ def free_motions(problem: Problem, mirrored: bool = False) -> Array:
     x, y = problem.mesh.nodes[nodes].T
     # slopes times the plate's length are settlements
     length = float(np.ptp(problem.mesh.nodes[nodes], axis=0).max())
-    scale, one, zero = np.array([1.0, 1 / length, 1 / length]), np.ones_like(x), np.zeros_like(x)
+    scale, ones, zeros = np.array([1.0, 1 / length, 1 / length]), np.ones_like(x), np.zeros_like(x)
     own_w = np.ones(len(nodes), dtype=bool)
     if not problem.plate.element.center_w:
         own_w[np.isin(nodes, problem.mesh.elements[problem.plate.elements, 8])] = False
     constraints = np.vstack(
         [
-            np.column_stack([one, x, y])[fixed[:, W] & own_w],
-            length * np.column_stack([zero, one, zero])[fixed[:, BETA_X]],
-            length * np.column_stack([zero, zero, one])[fixed[:, BETA_Y]],
+            np.column_stack([ones, x, y])[fixed[:, W] & own_w],
+            length * np.column_stack([zeros, ones, zeros])[fixed[:, BETA_X]],
+            length * np.column_stack([zeros, zeros, ones])[fixed[:, BETA_Y]],
         ]
     )
     for axis in (0, 1):
@@ -314,8 +314,8 @@ def _without_steps(problem: Problem, motions: Array) -> Array:
     steps = (np.where(field == W, 1.0, size)[:, None] * (one - other) * scale) @ unit
     _, sizes, V = np.linalg.svd(np.linalg.qr(np.vstack([steps, np.zeros((unit.shape[1],) * 2)]), mode="r"))
     rank = int((sizes > 1e-9 * sizes.max(initial=0.0)).sum())
-    found: Array = scale[:, None] * (unit @ V[rank:].T)
-    return found
+    kept: Array = scale[:, None] * (unit @ V[rank:].T)
+    return kept
 
 
 def _block_diagonal(blocks: list[Array]) -> Array:
@@ -324,8 +324,8 @@ def _block_diagonal(blocks: list[Array]) -> Array:
         return blocks[0]
     from scipy.linalg import block_diag
 
-    found: Array = block_diag(*blocks)
-    return found
+    matrix: Array = block_diag(*blocks)
+    return matrix
 
 
 def mirror_motion(axis: int) -> Array:
@@ -367,7 +367,7 @@ def _restrict(problem: Problem, numbers: tuple[int, ...]) -> tuple[Problem, Flag
     held = np.isin(problem.contact.bearing.node, nodes)
     load = np.zeros_like(problem.load)
     load[nodes] = problem.load[nodes]
-    own = replace(
+    restricted = replace(
         problem,
         plate=replace(
             problem.plate,
@@ -381,7 +381,7 @@ def _restrict(problem: Problem, numbers: tuple[int, ...]) -> tuple[Problem, Flag
         loading=replace(problem.loading, load=load, size=problem.loading.size[list(numbers)]),
         elastic=None if problem.elastic is None else problem.elastic.under(numbers),
     )
-    return own, held
+    return restricted, held
 
 
 def settlement_by_loads_beside(problem: Problem, places: Array) -> Array:

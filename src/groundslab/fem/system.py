@@ -70,19 +70,19 @@ def build_system(problem: Problem, like: System | None = None) -> System:
     if like is None or like.problem.mesh is not mesh:
         pattern = _pattern(problem)
         return System(problem, pattern, blocks(problem), along_beams, _of_building(problem, pattern))
-    known = like.problem
-    depths, known_depths = problem.contact.depths, known.contact.depths
-    sheet, known_sheet = problem.plate, known.plate
-    same_unknowns = np.array_equal(known.unknown, unknown) and np.array_equal(_linked(known), linked)
-    same_plate = known_sheet.element is sheet.element and all(
+    earlier = like.problem
+    depths, earlier_depths = problem.contact.depths, earlier.contact.depths
+    sheet, earlier_sheet = problem.plate, earlier.plate
+    same_unknowns = np.array_equal(earlier.unknown, unknown) and np.array_equal(_linked(earlier), linked)
+    same_plate = earlier_sheet.element is sheet.element and all(
         np.array_equal(a, b)
         for a, b in (
-            (known_sheet.rigidity, sheet.rigidity),
-            (known_sheet.bending, sheet.bending),
-            (known_sheet.shear, sheet.shear),
-            (known_sheet.membrane, sheet.membrane),
-            (known_depths.mass_kind, depths.mass_kind),
-            (known_depths.mass_kinds, depths.mass_kinds),
+            (earlier_sheet.rigidity, sheet.rigidity),
+            (earlier_sheet.bending, sheet.bending),
+            (earlier_sheet.shear, sheet.shear),
+            (earlier_sheet.membrane, sheet.membrane),
+            (earlier_depths.mass_kind, depths.mass_kind),
+            (earlier_depths.mass_kinds, depths.mass_kinds),
         )
     )
     pattern = like.pattern if same_unknowns else _pattern(problem)
@@ -123,8 +123,8 @@ def stiffness(s: System, column: Column) -> Symmetric:
     b, F = s.blocks, s.pattern.unknown.shape[1]
 
     def matrices(kinds: Integers) -> Array:
-        own = b.of(kinds)
-        K, ground = own.between_unknowns(F, s.problem.in_plane), functools.cache(own.ground)
+        part = b.of(kinds)
+        K, ground = part.between_unknowns(F, s.problem.in_plane), functools.cache(part.ground)
         for a, c in _coupled(column):
             for i, j in itertools.product(surface_fields(a), surface_fields(c)):
                 mass, slope = ground(*_of_plate(s.problem, i, j))
@@ -166,14 +166,14 @@ _PARTS: Memo[_Parts] = Memo()
 
 def _sum_of_parts(s: System, column: Column) -> Symmetric:
     """Return the matrix of plate and ground, which is linear in A0 and A1 of each element."""
-    known = _PARTS.get(s.blocks.plate, s.pattern, lambda: _make_parts(s))
-    data = known.plate.copy()
+    parts = _PARTS.get(s.blocks.plate, s.pattern, lambda: _make_parts(s))
+    data = parts.plate.copy()
     for a, c in _coupled(column):
-        part = _ground_part(known, s, (a, c, column.varies))
+        part = _ground_part(parts, s, (a, c, column.varies))
         A0, A1 = column.A0[..., a, c], column.A1[..., a, c]
         data[part.entry] += part.mass @ A0 + part.slope @ A1 if column.varies else part.mass * A0 + part.slope * A1
     pairs, blocks = _further_blocks(s, column)
-    entry = known.entry[pairs]
+    entry = parts.entry[pairs]
     data[entry[entry >= 0]] += blocks[entry >= 0]
     return s.pattern.matrix(data)
 
@@ -198,11 +198,11 @@ def _ground_part(known: _Parts, s: System, which: tuple[int, int, bool]) -> _Gro
         sums: tuple[list[Any], list[Any]] = [], []
         for i, j in itertools.product(surface_fields(a), surface_fields(c)):
             places = known.entry[:, i, j]
-            there = places >= 0
-            entry.append(places[there])
-            for found, matrices in zip(sums, s.blocks.ground(*_of_plate(s.problem, i, j)), strict=True):
+            mask = places >= 0
+            entry.append(places[mask])
+            for addends, matrices in zip(sums, s.blocks.ground(*_of_plate(s.problem, i, j)), strict=True):
                 by_element = assembly.sums_over_elements(s.pattern, s.blocks.kind, matrices)
-                found.append((by_element if varies else by_element.sum(axis=1))[there])
+                addends.append((by_element if varies else by_element.sum(axis=1))[mask])
         join: Callable[..., Any] = functools.partial(vstack, format="csr") if varies else np.concatenate
         known.ground[which] = _GroundPart(np.concatenate(entry), *map(join, sums))
     return known.ground[which]
@@ -246,7 +246,7 @@ def _further_blocks(s: System, column: Column) -> tuple[Integers, Array]:
         parts.append(s.building)
     if len(parts) == 1:
         return parts[0]
-    return building.sum_by_pair([own for own, _ in parts], [blocks for _, blocks in parts])
+    return building.sum_by_pair([pairs for pairs, _ in parts], [blocks for _, blocks in parts])
 
 
 def _link_blocks(s: System, column: Column) -> tuple[Integers, Array]:
@@ -254,43 +254,43 @@ def _link_blocks(s: System, column: Column) -> tuple[Integers, Array]:
     links = s.problem.links
     first, second = links.nodes.T
     both = links.fields[:, :, None] & links.fields[:, None, :]
-    own = link_stiffness(s, column)[:, None, None] * both
+    block = link_stiffness(s, column)[:, None, None] * both
     pairs = [s.pattern.pairs(a, b) for a, b in ((first, first), (second, second), (first, second))]
-    return np.concatenate(pairs), np.concatenate([own, own, -own])
+    return np.concatenate(pairs), np.concatenate([block, block, -block])
 
 
 def beam_fields(problem: Problem) -> Iterator[tuple[Integers, Integers, Integers]]:
     """Yield pieces of beams (k,), the fields that move them, and which of w, beta_x, beta_y, u, v, theta these are."""
-    known = [*range(TOP), *problem.in_plane]
+    common = [*range(TOP), *problem.in_plane]
     for field in np.unique(problem.beams.theta).tolist():
-        some = np.flatnonzero(problem.beams.theta == field)
-        own = [*range(len(known)), *([beams.THETA] if field else [])]
-        yield some, np.array([*known, *([field] if field else [])]), np.array(own)
+        pieces = np.flatnonzero(problem.beams.theta == field)
+        kinds = [*range(len(common)), *([beams.THETA] if field else [])]
+        yield pieces, np.array([*common, *([field] if field else [])]), np.array(kinds)
 
 
 def beam_unknowns(problem: Problem, U: Array) -> Array:
     """Return w, beta_x, beta_y, u, v and theta of the nodes of beams (b, 3, 6) from U (n, F), zeros for what is not."""
     sides = problem.beams.sides
-    found = np.zeros((*sides.shape, beams.FIELDS))
-    for some, fields, own in beam_fields(problem):
-        found[some[:, None, None], np.arange(3)[:, None], own] = U[sides[some][..., None], fields]
-    return found
+    unknowns = np.zeros((*sides.shape, beams.FIELDS))
+    for pieces, fields, kinds in beam_fields(problem):
+        unknowns[pieces[:, None, None], np.arange(3)[:, None], kinds] = U[sides[pieces][..., None], fields]
+    return unknowns
 
 
 def _beam_blocks(s: System) -> tuple[Integers, Array]:
     """Return the node pairs (t,) of beams and their blocks (t, F, F), rows being of the node eliminated first."""
     sides, rank, F = s.problem.beams.sides, s.pattern.rank, s.pattern.unknown.shape[1]
-    pairs, found = [], []
+    pairs, addends = [], []
     for a, c in itertools.combinations_with_replacement(range(3), 2):
         one, other = sides[:, a], sides[:, c]
-        own = np.zeros((len(sides), F, F))
+        block = np.zeros((len(sides), F, F))
         turned = (rank[one] > rank[other])[:, None, None]
         blocks = np.where(turned, s.beams[:, c, a], s.beams[:, a, c])
-        for some, fields, kept in beam_fields(s.problem):
-            own[np.ix_(some, fields, fields)] = blocks[np.ix_(some, kept, kept)]
+        for pieces, fields, kept in beam_fields(s.problem):
+            block[np.ix_(pieces, fields, fields)] = blocks[np.ix_(pieces, kept, kept)]
         pairs.append(s.pattern.pairs(one, other))
-        found.append(own)
-    return np.concatenate(pairs), np.concatenate(found)
+        addends.append(block)
+    return np.concatenate(pairs), np.concatenate(addends)
 
 
 def link_stiffness(s: System, column: Column) -> Array:
@@ -334,9 +334,9 @@ def _tail_blocks(s: System, column: Column) -> tuple[Integers, Array]:
     blocks = np.zeros((len(pairs), F, F))
     for i in range(column.surfaces):
         for j in range(column.surfaces):
-            own = blocks[:, TOP + i, TOP + j]
-            np.add.at(own, on_edges, spring[..., i, j, None] * mass + along[..., i, j, None] * slope)
-            np.add.at(own, on_corners, corner[..., i, j])
+            block = blocks[:, TOP + i, TOP + j]
+            np.add.at(block, on_edges, spring[..., i, j, None] * mass + along[..., i, j, None] * slope)
+            np.add.at(block, on_corners, corner[..., i, j])
     return pairs, blocks
 
 

@@ -189,7 +189,7 @@ def _tanh_share(x: Array) -> tuple[Array, Array]:
     far = np.where(small, 1.0, x)
     T = np.tanh(np.sqrt(far))
     closed = T / np.sqrt(far), (1 - T**2 - T / np.sqrt(far)) / (2 * far)
-    f, slope = (np.where(small, *each) for each in zip(series, closed, strict=True))
+    f, slope = (np.where(small, *pair) for pair in zip(series, closed, strict=True))
     return f, slope
 
 
@@ -303,9 +303,9 @@ class Soil:
             return self.layer_parameters(gamma)
         octave, at = math.floor(place), np.polynomial.chebyshev.chebpts1(NODES)
         if octave not in self.table:
-            found = [self.layer_parameters(2 ** (octave + (x + 1) / 2)) for x in at]
+            constants = [self.layer_parameters(2 ** (octave + (x + 1) / 2)) for x in at]
             polynomials = np.polynomial.chebyshev.chebvander(at, NODES - 1)
-            self.table[octave] = np.asarray(np.linalg.solve(polynomials, np.log(found).reshape(NODES, -1)))
+            self.table[octave] = np.asarray(np.linalg.solve(polynomials, np.log(constants).reshape(NODES, -1)))
         terms = np.polynomial.chebyshev.chebvander(2 * (place - octave) - 1, NODES - 1)
         k0, k1 = np.exp(terms @ self.table[octave]).reshape(2, -1, 1)
         return k0, k1
@@ -326,8 +326,8 @@ class Soil:
         Many gammas of the same octave, or nearly, take less time `by_table`.
         """
         k0, k1 = self._look_up(gamma) if by_table else self.layer_parameters(gamma)
-        found = interface_stack(k0, k1) if self.way == "interface" else single(k0[..., 0], k1[..., 0])
-        return found if self.parts is None else found.mix(self.parts)
+        column = interface_stack(k0, k1) if self.way == "interface" else single(k0[..., 0], k1[..., 0])
+        return column if self.parts is None else column.mix(self.parts)
 
     def first_column(self) -> Column:
         """Return the column of the ground for the gamma that is given, or from which it is iterated."""

@@ -80,8 +80,8 @@ def cracked_section(h: Array, bars: Bars, n: Array, top: bool) -> tuple[Array, A
     compressed concrete, else n times. S is positive towards the face in tension.
     """
     area, other = bars.area[::-1] if top else bars.area
-    own, far = bars.distance[::-1] if top else bars.distance
-    d = h - own
+    near, far = bars.distance[::-1] if top else bars.distance
+    d = h - near
 
     def depth(m: Array) -> Array:
         both = n * area + m * other
@@ -142,10 +142,10 @@ def secant_stiffness(law: CrackedSections, B: Array, m: Array) -> tuple[Array, A
     M = decisive_moments(m)
     chi = M / B[..., None]
     resisted = resisted_moment(chi, *law.curve)
-    found = np.divide(resisted, chi, out=np.broadcast_to(law.B_I[..., None], M.shape).copy(), where=chi > 0)
-    face = np.argmin(found, axis=2)[..., None]
-    found, M = (np.take_along_axis(each, face, axis=2)[..., 0] for each in (found, M))
-    return found, M
+    secant = np.divide(resisted, chi, out=np.broadcast_to(law.B_I[..., None], M.shape).copy(), where=chi > 0)
+    face = np.argmin(secant, axis=2)[..., None]
+    secant, M = (np.take_along_axis(values, face, axis=2)[..., 0] for values in (secant, M))
+    return secant, M
 
 
 def law_error(found: Array, M: Array, B: Array) -> float:

@@ -43,8 +43,8 @@ class Grid:
         """Return the numbers of the cells that hold places in the grid."""
         i = np.clip(((x - self.x0) / self.dx).astype(np.int64), 0, self.nx - 1)
         j = np.clip(((y - self.y0) / self.dy).astype(np.int64), 0, self.ny - 1)
-        found: Integers = i * self.ny + j
-        return found
+        numbers: Integers = i * self.ny + j
+        return numbers
 
 
 def make_grid(bounds: tuple[float, float, float, float], size: float) -> Grid:
@@ -69,8 +69,8 @@ class Cells:
 
     def on_grid(self, values: Array) -> Array:
         """Return the sums of values (c,) on the whole grid (nx, ny), zero elsewhere."""
-        found = np.bincount(self.number, values, self.grid.nx * self.grid.ny).astype(np.float64)
-        return found.reshape(self.grid.nx, self.grid.ny)
+        sums = np.bincount(self.number, values, self.grid.nx * self.grid.ny).astype(np.float64)
+        return sums.reshape(self.grid.nx, self.grid.ny)
 
 
 def cover(
@@ -134,17 +134,17 @@ def _nearest(grid: Grid, number: Integers, cell: Integers) -> Integers:
     """Return for some cells (p,), counted through the plates, the nearest one under the same plate that bears (c,)."""
     from scipy.spatial import cKDTree
 
-    found, lost = cell.copy(), ~np.isin(cell, number)
+    nearest, lost = cell.copy(), ~np.isin(cell, number)
     if lost.any() and len(number):
         far = grid.nx * grid.ny * max(grid.dx, grid.dy)
         places = [
-            np.column_stack(np.unravel_index(each % (grid.nx * grid.ny), (grid.nx, grid.ny))) * [grid.dx, grid.dy]
-            for each in (number, cell[lost])
+            np.column_stack(np.unravel_index(numbers % (grid.nx * grid.ny), (grid.nx, grid.ny))) * [grid.dx, grid.dy]
+            for numbers in (number, cell[lost])
         ]
-        plates = [far * (each // (grid.nx * grid.ny)) for each in (number, cell[lost])]
-        bearing, asked = (np.column_stack(each) for each in zip(places, plates, strict=True))
-        found[lost] = number[cKDTree(bearing).query(asked)[1]]
-    return found
+        plates = [far * (numbers // (grid.nx * grid.ny)) for numbers in (number, cell[lost])]
+        bearing, asked = (np.column_stack(columns) for columns in zip(places, plates, strict=True))
+        nearest[lost] = number[cKDTree(bearing).query(asked)[1]]
+    return nearest
 
 
 def prolong(coarse: Cells, force: Array, fine: Cells) -> Array:
@@ -155,16 +155,16 @@ def prolong(coarse: Cells, force: Array, fine: Cells) -> Array:
     """
     from scipy.interpolate import RegularGridInterpolator
 
-    centers, found = coarse.grid.centers, np.zeros(len(fine.area))
+    centers, pressures = coarse.grid.centers, np.zeros(len(fine.area))
     for plate in np.unique(fine.plate):
-        pressure, own = _pressures(coarse, force, coarse.plate == plate), fine.plate == plate
+        pressure, mask = _pressures(coarse, force, coarse.plate == plate), fine.plate == plate
         if min(pressure.shape) < 2:
-            found[own] = pressure.mean()
+            pressures[mask] = pressure.mean()
             continue
         # beyond the outermost centers pressures are those there
-        places = [np.clip(x, c[0], c[-1]) for x, c in zip(fine.center[own].T, centers, strict=True)]
-        found[own] = RegularGridInterpolator(centers, pressure)(np.column_stack(places))
-    return found * fine.area
+        places = [np.clip(x, c[0], c[-1]) for x, c in zip(fine.center[mask].T, centers, strict=True)]
+        pressures[mask] = RegularGridInterpolator(centers, pressure)(np.column_stack(places))
+    return pressures * fine.area
 
 
 def _pressures(cells: Cells, force: Array, own: Flags) -> Array:
@@ -172,11 +172,11 @@ def _pressures(cells: Cells, force: Array, own: Flags) -> Array:
     from scipy.ndimage import distance_transform_edt
 
     shape = cells.grid.nx, cells.grid.ny
-    pressure, known = np.zeros(shape), np.zeros(shape, dtype=bool)
-    pressure.flat[cells.number[own]], known.flat[cells.number[own]] = (force / cells.area)[own], True
-    nearest = distance_transform_edt(~known, return_distances=False, return_indices=True)
-    found: Array = pressure[tuple(nearest)]
-    return found
+    pressure, covered = np.zeros(shape), np.zeros(shape, dtype=bool)
+    pressure.flat[cells.number[own]], covered.flat[cells.number[own]] = (force / cells.area)[own], True
+    nearest = distance_transform_edt(~covered, return_distances=False, return_indices=True)
+    filled: Array = pressure[tuple(nearest)]
+    return filled
 
 
 def _rows_to_one(matrix: csr_array) -> csr_array:
@@ -218,9 +218,9 @@ def _pairs(grid: Grid, xy: Array) -> _Pairs:
         of_pairs = csr_array((dA[order], order % len(points), first), shape=(len(first) - 1, len(points)))
         pairs.append(pair[first[:-1]])
         sums.append(of_pairs @ values)
-    (element, cell), found = np.divmod(np.concatenate(pairs), size), np.concatenate(sums)
-    shapes = found[:, 1:10]
-    return _Pairs(element, cell, found[:, 0], np.einsum("pa,pax->px", shapes, xy[element]), shapes, found[:, 10:])
+    (element, cell), table = np.divmod(np.concatenate(pairs), size), np.concatenate(sums)
+    shapes = table[:, 1:10]
+    return _Pairs(element, cell, table[:, 0], np.einsum("pa,pax->px", shapes, xy[element]), shapes, table[:, 10:])
 
 
 def _hats(points: Array) -> Array:
@@ -230,9 +230,9 @@ def _hats(points: Array) -> Array:
     integrals of the shape functions, by which nodes share the element's area.
     """
     ends = np.maximum(0.0, 1 - 1.5 * (1 - points[:, None] * np.array([[-1.0], [1.0]])))
-    each = np.stack([ends[:, 0], 1 - ends.sum(axis=1), ends[:, 1]])  # (3, p, 2), of the nodes at -1, 0, 1
+    along = np.stack([ends[:, 0], 1 - ends.sum(axis=1), ends[:, 1]])  # (3, p, 2), of the nodes at -1, 0, 1
     corners = np.array([[0, 0], [2, 0], [2, 2], [0, 2], [1, 0], [2, 1], [1, 2], [0, 1], [1, 1]])
-    hats: Array = (each[corners[:, 0], :, 0] * each[corners[:, 1], :, 1]).T
+    hats: Array = (along[corners[:, 0], :, 0] * along[corners[:, 1], :, 1]).T
     return hats
 
 

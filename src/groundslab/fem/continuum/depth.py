@@ -84,10 +84,10 @@ def settle_below(
     """
     far = float(np.linalg.norm(np.ptp(np.vstack([cells.center, places]), axis=0))) + 2 * max(cells.size)
     # rounded up, so that other places have the same kernels
-    known = _kernels(layers, bonded, tuple(map(float, depth)), max(cells.size), 2.0 ** np.ceil(np.log2(far)))
-    found = _sum_smooth(known, cells, places)
-    settlement, stress = np.split(found, 2, axis=1)
-    for index in np.flatnonzero(known.split):
+    kernels = _kernels(layers, bonded, tuple(map(float, depth)), max(cells.size), 2.0 ** np.ceil(np.log2(far)))
+    sums = _sum_smooth(kernels, cells, places)
+    settlement, stress = np.split(sums, 2, axis=1)
+    for index in np.flatnonzero(kernels.split):
         w, sigma = _sum_half_space(layers[0], cells, places, float(depth[index]))
         settlement[:, index] += w
         stress[:, index] += sigma
@@ -154,7 +154,7 @@ def _cut(layers: tuple[ElasticLayer, ...], z: Array) -> tuple[list[ElasticLayer]
     tops = np.concatenate([[0.0], np.cumsum([layer.thickness for layer in layers[:-1]])])
     same = SAME * max(float(tops[-1]), float(z.max()), 0.0 if np.isinf(base) else base)
     z = np.minimum(z, base - same)
-    new = [each for each in np.unique(z) if np.abs(tops - each).min() > same]
+    new = [depth for depth in np.unique(z) if np.abs(tops - depth).min() > same]
     all_ = np.sort(np.concatenate([tops, new]))
     all_ = all_[np.diff(all_, prepend=-np.inf) > same / 2]
     of = np.searchsorted(tops, all_ + same / 2, side="right") - 1
@@ -177,14 +177,14 @@ def _sum_smooth(kernels: DepthKernels, cells: LoadedCells, places: Array) -> Arr
             place, cell = np.nonzero(chosen)
             pressed = LoadedCells(apart[place, cell], cells.size, cells.force[cell])
             shares[start : start + step] += _shares(kernels, pressed, place, len(apart), each_way)
-    found: Array = shares @ kernels.coefficients.T
-    return found
+    sums: Array = shares @ kernels.coefficients.T
+    return sums
 
 
 def _shares(kernels: DepthKernels, cells: LoadedCells, place: Integers, places: int, points: int) -> Array:
     """Return what k cells, whose centers are seen from some places, give to each coefficient, (places, n)."""
     n = kernels.coefficients.shape[1]
-    found = np.zeros(places * n)
+    sums = np.zeros(places * n)
     x, y = cells.center.T
     s, weight = np.polynomial.legendre.leggauss(points)
     for a, wa in zip(s, weight / 2, strict=True):
@@ -193,8 +193,8 @@ def _shares(kernels: DepthKernels, cells: LoadedCells, place: Integers, places: 
             at = (np.log(np.maximum(r, kernels.smallest)) - kernels.first) * STEPS
             whole = at.astype(np.int64)
             for i, basis in enumerate(_cubic(at - whole)):
-                found += np.bincount(place * n + whole - 1 + i, wa * wb * basis * cells.force, len(found))
-    return found.reshape(places, n)
+                sums += np.bincount(place * n + whole - 1 + i, wa * wb * basis * cells.force, len(sums))
+    return sums.reshape(places, n)
 
 
 def _cubic(f: Array) -> tuple[Array, ...]:

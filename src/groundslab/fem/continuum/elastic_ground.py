@@ -27,9 +27,9 @@ class Columns:
     def settle(self, cells: Cells, force: Array) -> Array:
         """Return the mean settlement of each cell [m] by forces on them (c,) [N]."""
         on_grid = cells.on_grid(force)
-        of_each = np.stack([each.settle(on_grid).ravel()[cells.number] for each in self.flexibility], axis=1)
-        found: Array = (self.weights * of_each).sum(axis=1)
-        return found
+        of_each = np.stack([column.settle(on_grid).ravel()[cells.number] for column in self.flexibility], axis=1)
+        settlement: Array = (self.weights * of_each).sum(axis=1)
+        return settlement
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,8 +77,8 @@ class ElasticGround:
         return self._settle_medium(force)
 
     def _settle_medium(self, force: Array) -> Array:
-        found: Array = self.flexibility.settle(self.cells.on_grid(force)).ravel()[self.cells.number]
-        return found
+        settlement: Array = self.flexibility.settle(self.cells.on_grid(force)).ravel()[self.cells.number]
+        return settlement
 
     def settle_mutually(self, force: Array) -> Array:
         """Return settlements (c,) [m] close to those, by a symmetric positive definite operator."""
@@ -118,33 +118,33 @@ class ElasticGround:
         from scipy.interpolate import RegularGridInterpolator
 
         def settle(medium: Medium, of: Flexibility) -> Array:
-            known = _WIDE.get(of, None, dict)
-            if wide not in known:
-                known[wide] = make_operator(medium, wide)
-            operator = known[wide]
-            found: Array = RegularGridInterpolator(wide.centers, operator.settle(force))(places)
-            return found
+            operators = _WIDE.get(of, None, dict)
+            if wide not in operators:
+                operators[wide] = make_operator(medium, wide)
+            operator = operators[wide]
+            settlement: Array = RegularGridInterpolator(wide.centers, operator.settle(force))(places)
+            return settlement
 
         if self.columns is None:
             return settle(self.medium, self.flexibility)
-        of_each = [settle(*each) for each in zip(self.columns.media, self.columns.flexibility, strict=True)]
+        of_each = [settle(*column) for column in zip(self.columns.media, self.columns.flexibility, strict=True)]
         mean: Array = (self.columns.weights_at(places) * np.stack(of_each, axis=1)).sum(axis=1)
         return mean
 
     def under(self, plates: Sequence[int]) -> ElasticGround:
         """Return the ground with the cells under some of several plates only, renumbered as these are."""
-        own = np.isin(self.cells.plate, plates)
+        mask = np.isin(self.cells.plate, plates)
         cells = replace(
             self.cells,
-            number=self.cells.number[own],
-            area=self.cells.area[own],
-            center=self.cells.center[own],
-            spread=self.cells.spread[:, own],
-            around=self.cells.around[:, own],
-            under=self.cells.under[:, own],
-            plate=np.searchsorted(plates, self.cells.plate[own]),
+            number=self.cells.number[mask],
+            area=self.cells.area[mask],
+            center=self.cells.center[mask],
+            spread=self.cells.spread[:, mask],
+            around=self.cells.around[:, mask],
+            under=self.cells.under[:, mask],
+            plate=np.searchsorted(plates, self.cells.plate[mask]),
         )
-        return replace(self, cells=cells, gap=self.gap[own], limit_force=self.limit_force[own], columns=None,
+        return replace(self, cells=cells, gap=self.gap[mask], limit_force=self.limit_force[mask], columns=None,
                        relief=None, piles=None)  # fmt: skip
 
 

@@ -34,8 +34,8 @@ class Flexibility:
 
         spectrum = rfft2(values, self.shape, workers=-1)
         spectrum *= transformed
-        found: Array = irfft2(spectrum, self.shape, workers=-1)[: self.grid.nx, : self.grid.ny]
-        return found
+        product: Array = irfft2(spectrum, self.shape, workers=-1)[: self.grid.nx, : self.grid.ny]
+        return product
 
 
 def make_flexibility(kernel: SurfaceKernel, grid: Grid) -> Flexibility:

@@ -55,28 +55,28 @@ def layered_kernel(layers: tuple[ElasticLayer, ...]) -> SurfaceKernel:
     SurfaceKernel
         Its closed and its smooth part.
     """
-    c = [each.half_space for each in layers]
+    c = [layer.half_space for layer in layers]
     if np.isinf(layers[-1].thickness):
-        depths = np.cumsum([each.thickness for each in layers[:-1]])
+        depths = np.cumsum([layer.thickness for layer in layers[:-1]])
     else:
-        depths, c = np.cumsum([each.thickness for each in layers]), [*c, 0.0]
+        depths, c = np.cumsum([layer.thickness for layer in layers]), [*c, 0.0]
     if not len(depths):
         return SurfaceKernel(c[0], np.zeros_like, np.inf)
     steps = np.diff(c)
 
     def rest(k: Array) -> Array:
-        found: Array = surface_compliance(layers, k) * k - c[0]
+        remainder: Array = surface_compliance(layers, k) * k - c[0]
         for step, z in zip(steps, depths, strict=True):
-            found = found - step * np.exp(-2 * k * z)
-        return found
+            remainder = remainder - step * np.exp(-2 * k * z)
+        return remainder
 
     of_rest = hankel(rest, SMALLEST * float(depths[0]), LARGEST * float(depths[-1]))
 
     def smooth(r: Array) -> Array:
-        found = of_rest(r)
+        settlement = of_rest(r)
         for step, z in zip(steps, depths, strict=True):
-            found = found + step / (2 * np.pi * np.hypot(r, 2 * z))
-        return found
+            settlement = settlement + step / (2 * np.pi * np.hypot(r, 2 * z))
+        return settlement
 
     return SurfaceKernel(c[0], smooth, float(depths[0]))
 
@@ -93,8 +93,8 @@ def hankel(kR: Callable[[Array], Array], smallest: float, largest: float) -> Rad
     spline = CubicSpline(np.log(r), values)
 
     def at(distance: Array) -> Array:
-        found: Array = spline(np.log(np.maximum(distance, smallest)))
-        return found
+        values: Array = spline(np.log(np.maximum(distance, smallest)))
+        return values
 
     return at
 
@@ -123,18 +123,18 @@ def mean_inverse_distance(x: Array, y: Array, dx: float, dy: float) -> Array:
     """
     x, y = np.broadcast_arrays(np.abs(x), np.abs(y))
     far = np.maximum(x / dx, y / dy) > FAR
-    found = np.empty(x.shape)
+    mean = np.empty(x.shape)
     r2 = x[far] ** 2 + y[far] ** 2
     # variances of the distance between two points of two cells are dx^2 / 6 and dy^2 / 6
     second = dx**2 * (3 * x[far] ** 2 / r2 - 1) + dy**2 * (3 * y[far] ** 2 / r2 - 1)
-    found[far] = (1 + second / (12 * r2)) / np.sqrt(r2)
+    mean[far] = (1 + second / (12 * r2)) / np.sqrt(r2)
     u, v = x[~far], y[~far]
     total = np.zeros(u.shape)
     for a, of_x in ((-1, 1), (0, -2), (1, 1)):
         for b, of_y in ((-1, 1), (0, -2), (1, 1)):
             total += of_x * of_y * _fourfold(u + a * dx, v + b * dy)
-    found[~far] = total / (dx * dy) ** 2
-    return found
+    mean[~far] = total / (dx * dy) ** 2
+    return mean
 
 
 def _fourfold(u: Array, v: Array) -> Array:
@@ -147,8 +147,8 @@ def _fourfold(u: Array, v: Array) -> Array:
         sum_ = np.where(a >= 0, a + r, b**2 / np.maximum(r - a, tiny))
         return np.log(np.where(np.abs(b) > tiny, np.maximum(sum_, 1e-300), 1.0))
 
-    found: Array = u * v * (u * log(v, u) + v * log(u, v)) / 2 - r**3 / 6
-    return found
+    integral: Array = u * v * (u * log(v, u) + v * log(u, v)) / 2 - r**3 / 6
+    return integral
 
 
 def cell_means(kernel: SurfaceKernel, x: Array, y: Array, dx: float, dy: float) -> Array:
@@ -156,14 +156,14 @@ def cell_means(kernel: SurfaceKernel, x: Array, y: Array, dx: float, dy: float) 
 
     x and y (...) [m] are the distances of their centers, dx and dy [m] their sides.
     """
-    found = kernel.half_space / (2 * np.pi) * mean_inverse_distance(x, y, dx, dy)
+    mean = kernel.half_space / (2 * np.pi) * mean_inverse_distance(x, y, dx, dy)
     if np.isinf(kernel.scale):
-        return found
+        return mean
     near = (np.abs(x) < NEAR * dx) & (np.abs(y) < NEAR * dy)
     points = int(min(max(np.ceil(POINTS * max(dx, dy) / kernel.scale), 4), MOST_POINTS))
-    found[near] += _mean_smooth(kernel.smooth, x[near], y[near], dx, dy, points)
-    found[~near] += _mean_smooth(kernel.smooth, x[~near], y[~near], dx, dy, 2)
-    return found
+    mean[near] += _mean_smooth(kernel.smooth, x[near], y[near], dx, dy, points)
+    mean[~near] += _mean_smooth(kernel.smooth, x[~near], y[~near], dx, dy, 2)
+    return mean
 
 
 def _mean_smooth(smooth: Radial, x: Array, y: Array, dx: float, dy: float, points: int) -> Array:
@@ -172,11 +172,11 @@ def _mean_smooth(smooth: Radial, x: Array, y: Array, dx: float, dy: float, point
     The difference of two places in a cell has a triangular density; two points each way have its variance.
     """
     s, weight = (np.array([-1.0, 1.0]) / np.sqrt(6), np.full(2, 0.5)) if points == 2 else _triangular(points)
-    found = np.zeros(x.shape)
+    mean = np.zeros(x.shape)
     for a, wa in zip(s, weight, strict=True):
         for b, wb in zip(s, weight, strict=True):
-            found += wa * wb * smooth(np.hypot(x + a * dx, y + b * dy))
-    return found
+            mean += wa * wb * smooth(np.hypot(x + a * dx, y + b * dy))
+    return mean
 
 
 def _triangular(points: int) -> tuple[Array, Array]:

@@ -68,11 +68,11 @@ class StressedLayers:
         steps, depths = np.diff(flexible), np.cumsum(self.thickness)
 
         def smooth(r: Array) -> Array:
-            found = np.zeros(np.shape(r))
+            settlement = np.zeros(np.shape(r))
             for step, z in zip(steps, depths, strict=True):
                 R = np.hypot(r, z)
-                found += step * (2 / R + z**2 / R**3) / (2 * np.pi)
-            return found
+                settlement += step * (2 / R + z**2 / R**3) / (2 * np.pi)
+            return settlement
 
         return SurfaceKernel(2 * float(flexible[0]), smooth, float(depths[0]))
 

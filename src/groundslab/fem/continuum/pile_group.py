@@ -30,13 +30,13 @@ class PileGroup:
 
     def settle(self, load: Array, force: Array) -> Array:
         """Return the settlement (p,) [m] of the piles by their loads (p,) and by forces on cells (c,) [N]."""
-        found: Array = self.own @ load + self.on_cells @ force
-        return found
+        settlement: Array = self.own @ load + self.on_cells @ force
+        return settlement
 
     def settle_at(self, load: Array, places: Array) -> Array:
         """Return the settlement (k,) [m] of the surface at places (k, 2) [m] by loads on the piles (p,) [N]."""
-        found: Array = load @ field_of_piles(self.piles, self.place, places)
-        return found
+        settlement: Array = load @ field_of_piles(self.piles, self.place, places)
+        return settlement
 
 
 def make_pile_group(
@@ -46,22 +46,22 @@ def make_pile_group(
     distance = np.hypot(*(place[:, None] - place).transpose(2, 0, 1))
     factors = np.stack([_beside(pile, s, s) for pile, s in zip(piles, distance, strict=True)])
     single = np.array([1 / pile.head_stiffness for pile in piles])
-    own = (factors + factors.T) / 2 * np.sqrt(np.outer(single, single))
-    np.fill_diagonal(own, single)
-    return PileGroup(piles, place, bearing, own, field_of_piles(piles, place, centers), lower, upper)
+    flexibility = (factors + factors.T) / 2 * np.sqrt(np.outer(single, single))
+    np.fill_diagonal(flexibility, single)
+    return PileGroup(piles, place, bearing, flexibility, field_of_piles(piles, place, centers), lower, upper)
 
 
 def field_of_piles(piles: tuple[Pile, ...], place: Array, places: Array) -> Array:
     """Return the settlement (p, k) [m/N] of the surface at places (k, 2) [m] by a unit load on each of the piles."""
-    found = []
+    settlements = []
     for pile, at in zip(piles, place, strict=True):
         s = np.hypot(*(places - at).T)
-        found.append(_beside(pile, s, np.hypot(s, pile.length)) / pile.head_stiffness)
-    return np.stack(found)
+        settlements.append(_beside(pile, s, np.hypot(s, pile.length)) / pile.head_stiffness)
+    return np.stack(settlements)
 
 
 def _beside(pile: Pile, s: Array, from_base: Array) -> Array:
     """Return the settlement over that of the pile at distances s from its shaft and from its base [m]."""
     base = pile.base_share
-    found: Array = (1 - base) * shaft_interaction(pile, s) + base * base_interaction(pile, from_base)
-    return found
+    ratio: Array = (1 - base) * shaft_interaction(pile, s) + base * base_interaction(pile, from_base)
+    return ratio

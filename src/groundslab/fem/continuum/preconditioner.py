@@ -35,8 +35,8 @@ class Preconditioner:
 
         cells = self.ground.cells
         waves = dctn(cells.on_grid(gap), norm="ortho", workers=-1)
-        found: Array = idctn(waves * self.stiffness, norm="ortho", workers=-1, overwrite_x=True)
-        return found.ravel()[cells.number]
+        forces: Array = idctn(waves * self.stiffness, norm="ortho", workers=-1, overwrite_x=True)
+        return forces.ravel()[cells.number]
 
 
 def make_preconditioner(ground: ElasticGround, D: float) -> Preconditioner:

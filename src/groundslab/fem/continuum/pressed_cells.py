@@ -95,10 +95,10 @@ class PressedCells:
         settlement, stress = np.empty(len(points)), np.empty(len(points))
         depths, which = np.unique(points[:, 2], return_inverse=True)
         for start in range(0, len(depths), DEPTHS):
-            own = np.flatnonzero((which >= start) & (which < start + DEPTHS))
-            places, place = np.unique(points[own, :2], axis=0, return_inverse=True)
+            chunk = np.flatnonzero((which >= start) & (which < start + DEPTHS))
+            places, place = np.unique(points[chunk, :2], axis=0, return_inverse=True)
             w, sigma = self.below(places, depths[start : start + DEPTHS])
-            settlement[own], stress[own] = (each[place.ravel(), which[own] - start] for each in (w, sigma))
+            settlement[chunk], stress[chunk] = (values[place.ravel(), which[chunk] - start] for values in (w, sigma))
         return settlement, stress
 
     def _elastic_layers(self) -> tuple[ElasticLayer, ...]:
@@ -109,17 +109,17 @@ class PressedCells:
 def press(ground: ElasticGround, force: Array, beside: Array) -> PressedCells:
     """Return the cells of a ground under forces (c,) [N], and those beside at places, (f, 3)."""
     grid, medium = ground.cells.grid, ground.medium
-    x, y = (each.ravel() for each in np.meshgrid(*grid.centers, indexing="ij"))
+    x, y = (coordinate.ravel() for coordinate in np.meshgrid(*grid.centers, indexing="ij"))
     center = np.column_stack([x, y])[ground.cells.number]
     if isinstance(medium, BondedLayers):
         layers = [(layer.E, layer.nu, layer.thickness) for layer in medium.layers]
     else:
         assert isinstance(medium, StressedLayers)
         layers = [(M, 0.0, h) for M, h in zip(medium.modulus, medium.thickness, strict=True)]
-    known = np.array(layers if ground.columns is None else []).reshape(-1, 3)
+    table = np.array(layers if ground.columns is None else []).reshape(-1, 3)
     size = np.array([grid.dx, grid.dy])
     bonded, piled = isinstance(medium, BondedLayers), ground.piles is not None
-    return PressedCells(center, size, force, ground.settling(force), known, bonded, beside, piled)
+    return PressedCells(center, size, force, ground.settling(force), table, bonded, beside, piled)
 
 
 def _require_within(points: Array, base: float) -> None:

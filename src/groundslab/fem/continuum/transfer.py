@@ -76,15 +76,15 @@ def compliances(layers: Sequence[ElasticLayer], k: Array) -> list[Array]:
     The tractions act in the directions of u and w. In k times displacements, they are those of a layer with k = 1.
     """
     k = np.asarray(k, dtype=float)
-    found: list[Array] = []
+    matrices: list[Array] = []
     below = np.zeros((len(k), 2, 2))
     for layer in reversed(layers):
         if np.isinf(layer.thickness):
             below = np.broadcast_to(_half_space(layer), below.shape) / k[:, None, None]
         else:
             below = _cross(layer, k, below)
-        found.append(below)
-    return found[::-1]
+        matrices.append(below)
+    return matrices[::-1]
 
 
 def carry_down(layers: Sequence[ElasticLayer], k: Array) -> tuple[Array, Array]:
@@ -115,9 +115,9 @@ def _decaying(layer: ElasticLayer, kz: Array) -> tuple[Array, Array]:
 
     (U, W) = (1, 1) and (kz, kappa + kz) with kappa = 3 - 4 nu.
     """
-    kappa, one = 3 - 4 * layer.nu, np.ones_like(kz)
-    U, W = np.stack([one, kz]), np.stack([one, kappa + kz])
-    dU, dW = np.stack([-one, 1 - kz]), np.stack([-one, 1 - kappa - kz])
+    kappa, ones = 3 - 4 * layer.nu, np.ones_like(kz)
+    U, W = np.stack([ones, kz]), np.stack([ones, kappa + kz])
+    dU, dW = np.stack([-ones, 1 - kz]), np.stack([-ones, 1 - kappa - kz])
     tau = layer.mu * (dU - W)
     sigma = layer.oedometric * dW + layer.lame * U
     return np.stack([U, W]).transpose(2, 0, 1), np.stack([tau, sigma]).transpose(2, 0, 1)
@@ -126,25 +126,25 @@ def _decaying(layer: ElasticLayer, kz: Array) -> tuple[Array, Array]:
 def _cross(layer: ElasticLayer, k: Array, below: Array) -> Array:
     """Return the compliance (n, 2, 2) of a layer's top, of that of its bottom."""
     thin = k * layer.thickness < THIN
-    found = np.empty_like(below)
-    found[thin] = _cross_thin(layer, k[thin], below[thin])
+    compliance = np.empty_like(below)
+    compliance[thin] = _cross_thin(layer, k[thin], below[thin])
     Stt, Stb, Sbb = _stiffness(layer, k[~thin])
     inner = below[~thin] @ np.linalg.inv(Sbb @ below[~thin] + np.eye(2))
-    found[~thin] = np.linalg.inv(Stt - Stb @ inner @ Stb.swapaxes(1, 2))
-    return found
+    compliance[~thin] = np.linalg.inv(Stt - Stb @ inner @ Stb.swapaxes(1, 2))
+    return compliance
 
 
 def _through(layer: ElasticLayer, k: Array, below: Array, u: Array) -> Array:
     """Return the displacements (n, 2, 1) of a layer's bottom by those of its top, with the compliance below."""
     thin = k * layer.thickness < THIN
-    found = np.zeros_like(u)
+    displacements = np.zeros_like(u)
     P = _propagator(layer, k[thin])
     inner = P[:, :2, :2] @ below[thin] + P[:, :2, 2:] @ _signed(k[thin])
-    found[thin] = below[thin] @ np.linalg.solve(inner, u[thin])
+    displacements[thin] = below[thin] @ np.linalg.solve(inner, u[thin])
     _, Stb, Sbb = _stiffness(layer, k[~thin])
     inner = below[~thin] @ np.linalg.inv(Sbb @ below[~thin] + np.eye(2))
-    found[~thin] = -inner @ Stb.swapaxes(1, 2) @ u[~thin]
-    return found
+    displacements[~thin] = -inner @ Stb.swapaxes(1, 2) @ u[~thin]
+    return displacements
 
 
 def _signed(k: Array) -> Array:

@@ -57,8 +57,8 @@ class Beams:
     @property
     def spans(self) -> Flags:
         """Return which pieces span an opening, (b,)."""
-        found: Flags = self.sides[:, 2] == self.sides[:, 0]
-        return found
+        mask: Flags = self.sides[:, 2] == self.sides[:, 0]
+        return mask
 
 
 def stiffness(beams: Beams, nodes: Array) -> Array:
@@ -68,9 +68,9 @@ def stiffness(beams: Beams, nodes: Array) -> Array:
     """
     K = _full_stiffness(beams, nodes)
     if beams.released.any():
-        some = beams.released.any(axis=1)
-        _, K_r, inverse = _releases(nodes[beams.sides[some]], K[some], beams.released[some])
-        K[some] -= np.einsum("bkai,bkl,blcj->bacij", K_r, inverse, K_r)
+        mask = beams.released.any(axis=1)
+        _, K_r, inverse = _releases(nodes[beams.sides[mask]], K[mask], beams.released[mask])
+        K[mask] -= np.einsum("bkai,bkl,blcj->bacij", K_r, inverse, K_r)
     return K
 
 
@@ -80,14 +80,14 @@ def section_forces(beams: Beams, nodes: Array, u: Array) -> Array:
     M is positive where the beam sags, N in tension. V = d(M + e N)/ds where no torsion enters.
     """
     B, _ = _strains(beams, nodes)
-    own = without_motion(beams, nodes, u)
+    deformation = without_motion(beams, nodes, u)
     if beams.released.any():
-        some = beams.released.any(axis=1)
-        K = _full_stiffness(beams, nodes)[some]
-        released, K_r, inverse = _releases(nodes[beams.sides[some]], K, beams.released[some])
-        turned = np.einsum("bkl,blai,bai->bk", inverse, K_r, own[some])
-        own[some] -= np.einsum("bk,bkai->bai", turned, released)
-    forces: Array = np.einsum("bprai,bai->bpr", B, own) * beams.rigidity[:, None] * [-1.0, -1.0, 1.0, 1.0]
+        mask = beams.released.any(axis=1)
+        K = _full_stiffness(beams, nodes)[mask]
+        released, K_r, inverse = _releases(nodes[beams.sides[mask]], K, beams.released[mask])
+        turned = np.einsum("bkl,blai,bai->bk", inverse, K_r, deformation[mask])
+        deformation[mask] -= np.einsum("bk,bkai->bai", turned, released)
+    forces: Array = np.einsum("bprai,bai->bpr", B, deformation) * beams.rigidity[:, None] * [-1.0, -1.0, 1.0, 1.0]
     return forces
 
 
@@ -158,11 +158,11 @@ def _strains(beams: Beams, nodes: Array) -> tuple[Array, Array]:
         B[spans], ds[spans] = _strains_of_spans(xy[spans], beams.rigidity[spans], beams.eccentricity[spans])
     if beams.deep.any():
         # sections that turn by themselves have theta along the axis, and what the plate turns across it
-        some, along = beams.deep, beams.along[beams.deep]
+        deep, along = beams.deep, beams.along[beams.deep]
         across = np.stack([-along[..., 1], along[..., 0]], axis=-1)
-        turning = B[some][..., 1:3]
-        B[some, ..., THETA] = np.einsum("bprax,bax->bpra", turning, along)
-        B[some, ..., 1:3] = np.einsum("bprax,bax,bay->bpray", turning, across, across)
+        turning = B[deep][..., 1:3]
+        B[deep, ..., THETA] = np.einsum("bprax,bax->bpra", turning, along)
+        B[deep, ..., 1:3] = np.einsum("bprax,bax,bay->bpray", turning, across, across)
     return B, ds
 
 

@@ -42,24 +42,24 @@ class Building:
 
     def motions(self, U: Array) -> Array:
         """Return the motions q (k,) [m] of bases in a table of unknowns (n, F)."""
-        found: Array = self.spread.T @ U[:, :FIELDS].ravel()
-        return found
+        motions: Array = self.spread.T @ U[:, :FIELDS].ravel()
+        return motions
 
     def forces(self, U: Array) -> Array:
         """Return the forces (k,) [N] with which the building resists, upwards on the plate."""
-        found: Array = self.stiffness @ self.motions(U)
-        return found
+        forces: Array = self.stiffness @ self.motions(U)
+        return forces
 
     def on_nodes(self, U: Array) -> Array:
         """Return the forces (n, 3) with which the building resists on w, beta_x, beta_y of each node."""
-        found: Array = (self.spread @ self.forces(U)).reshape(len(U), FIELDS)
-        return found
+        forces: Array = (self.spread @ self.forces(U)).reshape(len(U), FIELDS)
+        return forces
 
     def with_own(self, U: Array) -> Array:
         """Return a table of unknowns (n, F) in which the building's own follow the plate's."""
-        found = U.copy()
-        found[self.host, self.field] = self._share_of_p() @ self.motions(U)
-        return found
+        table = U.copy()
+        table[self.host, self.field] = self._share_of_p() @ self.motions(U)
+        return table
 
     @property
     def joint(self) -> Array:
@@ -68,16 +68,16 @@ class Building:
         A motion that nothing resists needs a little, too, to have a p.
         """
         most = 2 * np.abs(self.stiffness).sum(axis=1)
-        found: Array = np.maximum(most, LEAST_JOINT * most.max())
-        return found
+        joint: Array = np.maximum(most, LEAST_JOINT * most.max())
+        return joint
 
     @property
     def behind_joint(self) -> Array:
         """Return K' (k, k) [N/m]."""
         root = np.sqrt(self.joint)
         share, V = np.linalg.eigh(self.stiffness / np.outer(root, root))
-        found: Array = (root[:, None] * V) @ ((share / (1 - share))[:, None] * (root[:, None] * V).T)
-        return found
+        matrix: Array = (root[:, None] * V) @ ((share / (1 - share))[:, None] * (root[:, None] * V).T)
+        return matrix
 
     def _share_of_p(self) -> Array:
         """Return what takes q to p (k, k): p = q - S^-1 K q."""
@@ -85,12 +85,12 @@ class Building:
 
     def pairs(self) -> Integers:
         """Return the pairs of nodes (t, 2) that it joins: those of one footprint, with their hosts, and all hosts."""
-        found = [np.stack(np.meshgrid(self.host, self.host), axis=-1).reshape(-1, 2)]
+        pairs = [np.stack(np.meshgrid(self.host, self.host), axis=-1).reshape(-1, 2)]
         for number in range(len(self.bases)):
             nodes, hosts = self._nodes_of(number), self.host[self.base == number]
             for one, other in ((nodes, nodes), (hosts, nodes)):
-                found.append(np.stack(np.meshgrid(one, other), axis=-1).reshape(-1, 2))
-        return np.unique(np.sort(np.concatenate(found), axis=1), axis=0)
+                pairs.append(np.stack(np.meshgrid(one, other), axis=-1).reshape(-1, 2))
+        return np.unique(np.sort(np.concatenate(pairs), axis=1), axis=0)
 
     def _nodes_of(self, number: int) -> Integers:
         """Return the nodes of a base's footprint."""
@@ -103,36 +103,36 @@ def blocks(b: Building, p: Pattern) -> tuple[Integers, Array]:
     Rows of a block are of the node that is eliminated first.
     """
     F = p.unknown.shape[1]
-    pairs, found = [], []
+    pairs, matrices = [], []
 
     def add(one: Integers, other: Integers, block: Array) -> None:
         """Add blocks (t, F, F) whose rows are of nodes `one`."""
         turned = (p.rank[one] > p.rank[other])[:, None, None]
         pairs.append(p.pairs(one, other))
-        found.append(np.where(turned, block.transpose(0, 2, 1), block))
+        matrices.append(np.where(turned, block.transpose(0, 2, 1), block))
 
     S, K = b.joint, b.behind_joint + np.diag(b.joint)
     i, j = np.triu_indices(len(b.host))
-    own = np.zeros((len(i), F, F))
-    own[np.arange(len(i)), b.field[i], b.field[j]] = K[i, j]
+    addends = np.zeros((len(i), F, F))
+    addends[np.arange(len(i)), b.field[i], b.field[j]] = K[i, j]
     # fields of one node stand in the same block, both above and below its diagonal
     same = np.flatnonzero((b.host[i] == b.host[j]) & (i != j))
-    own[same, b.field[j[same]], b.field[i[same]]] = K[i[same], j[same]]
-    add(b.host[i], b.host[j], own)
+    addends[same, b.field[j[same]], b.field[i[same]]] = K[i[same], j[same]]
+    add(b.host[i], b.host[j], addends)
     for number in range(len(b.bases)):
         nodes, motions = b._nodes_of(number), np.flatnonzero(b.base == number)
         G = np.asarray(b.spread[:, motions].todense()).reshape(-1, FIELDS, len(motions))[nodes]
         i, j = np.triu_indices(len(nodes))
-        own = np.zeros((len(i), F, F))
-        own[:, :FIELDS, :FIELDS] = np.einsum("tik,k,tjk->tij", G[i], S[motions], G[j])
-        add(nodes[i], nodes[j], own)
+        addends = np.zeros((len(i), F, F))
+        addends[:, :FIELDS, :FIELDS] = np.einsum("tik,k,tjk->tij", G[i], S[motions], G[j])
+        add(nodes[i], nodes[j], addends)
         for k, motion in enumerate(motions):
-            own = np.zeros((len(nodes), F, F))
-            own[:, b.field[motion], :FIELDS] = -S[motion] * G[:, :, k]
+            addends = np.zeros((len(nodes), F, F))
+            addends[:, b.field[motion], :FIELDS] = -S[motion] * G[:, :, k]
             on_host = np.flatnonzero(nodes == b.host[motion])
-            own[on_host] += own[on_host].transpose(0, 2, 1)
-            add(np.full(len(nodes), b.host[motion]), nodes, own)
-    return sum_by_pair(pairs, found)
+            addends[on_host] += addends[on_host].transpose(0, 2, 1)
+            add(np.full(len(nodes), b.host[motion]), nodes, addends)
+    return sum_by_pair(pairs, matrices)
 
 
 def sum_by_pair(pairs: list[Integers], blocks: list[Array]) -> tuple[Integers, Array]:

@@ -26,7 +26,7 @@ class Bearing:
 
     def select(self, which: Flags) -> Bearing:
         """Return some of the bearings by a mask (c,)."""
-        others = (getattr(self, each.name)[which] for each in fields(self) if each.name != "law")
+        others = (getattr(self, field.name)[which] for field in fields(self) if field.name != "law")
         return Bearing(self.law.select(which), *others)
 
 

@@ -73,8 +73,8 @@ def condense(places: Array, members: Members, bases: Integers, floors: list[Inte
     coupled = T.T @ of_bases[inner]
     K_ii = (T.T @ K[inner][:, inner] @ T).tocsc()
     moved = splu(K_ii).solve(np.asarray(coupled)) if K_ii.shape[0] else np.zeros((0, len(base)))
-    found = base @ of_bases[at_bases] - coupled.T @ moved
-    symmetric: Array = (found + found.T) / 2
+    matrix = base @ of_bases[at_bases] - coupled.T @ moved
+    symmetric: Array = (matrix + matrix.T) / 2
     return symmetric
 
 
@@ -83,18 +83,18 @@ def _follow_floors(places: Array, floors: list[Integers]) -> csr_array:
     from scipy.sparse import coo_array
 
     size = MOTIONS * len(places)
-    own = np.ones(size, dtype=bool)
+    free = np.ones(size, dtype=bool)
     rows, columns, values = [], [], []
     for number, nodes in enumerate(floors):
         x, y = (places[nodes] - places[nodes].mean(axis=0))[:, :2].T
-        one, first = np.ones(len(nodes)), size + 3 * number
-        for field, follows in ((0, {0: one, 2: -y}), (1, {1: one, 2: x}), (5, {2: one})):
-            own[MOTIONS * nodes + field] = False
+        ones, first = np.ones(len(nodes)), size + 3 * number
+        for field, follows in ((0, {0: ones, 2: -y}), (1, {1: ones, 2: x}), (5, {2: ones})):
+            free[MOTIONS * nodes + field] = False
             for motion, value in follows.items():
                 rows.append(MOTIONS * nodes + field)
                 columns.append(np.full(len(nodes), first + motion))
                 values.append(value)
-    alone = np.flatnonzero(own)
+    alone = np.flatnonzero(free)
     rows, columns, values = [alone, *rows], [alone, *columns], [np.ones(len(alone)), *values]
     shape = (size, size + 3 * len(floors))
     return coo_array((np.concatenate(values), (np.concatenate(rows), np.concatenate(columns))), shape=shape).tocsr()
@@ -108,31 +108,31 @@ def _stiffness(places: Array, members: Members) -> Array:
     L = np.linalg.norm(way, axis=1)
     e1, e2 = way / L[:, None], m.across
     R = np.stack([e1, e2, np.cross(e1, e2)], axis=1)
-    own = np.zeros((len(L), 12, 12))
+    local = np.zeros((len(L), 12, 12))
     for field, value in ((0, m.EA / L), (3, m.GJ / L)):
-        own[:, field, field] = own[:, field + 6, field + 6] = value
-        own[:, field, field + 6] = own[:, field + 6, field] = -value
+        local[:, field, field] = local[:, field + 6, field + 6] = value
+        local[:, field, field + 6] = local[:, field + 6, field] = -value
     # v with its rotation r = v', and w with q = -w'
     for EI, (shift, turn), sign in ((m.EI[:, 0], (1, 5), 1.0), (m.EI[:, 1], (2, 4), -1.0)):
         phi = 12 * EI / (m.GA * L**2)
         k = EI / (L**3 * (1 + phi))
         fields = [shift, turn, shift + 6, turn + 6]
         block = np.empty((len(L), 4, 4))
-        one, half = np.ones_like(L), sign * L / 2
+        ones, half = np.ones_like(L), sign * L / 2
         near, far = (4 + phi) * L**2 / 12, (2 - phi) * L**2 / 12
-        block[:, 0] = np.stack([one, half, -one, half], axis=1)
+        block[:, 0] = np.stack([ones, half, -ones, half], axis=1)
         block[:, 1] = np.stack([half, near, -half, far], axis=1)
         block[:, 2] = -block[:, 0]
         block[:, 3] = np.stack([half, far, -half, near], axis=1)
-        own[:, np.array(fields)[:, None], fields] = 12 * k[:, None, None] * block
+        local[:, np.array(fields)[:, None], fields] = 12 * k[:, None, None] * block
     turned = np.zeros((len(L), 12, 12))
     for end in (0, 1):
         shifts, turns = slice(6 * end, 6 * end + 3), slice(6 * end + 3, 6 * end + 6)
         turned[:, shifts, shifts] = turned[:, turns, turns] = R
         # the end of a rigid arm moves with the rotation of its node
         turned[:, shifts, turns] = np.einsum("mij,mjk->mik", R, -_cross(m.arms[:, end]))
-    found: Array = np.einsum("mki,mkl,mlj->mij", turned, own, turned)
-    return found
+    matrices: Array = np.einsum("mki,mkl,mlj->mij", turned, local, turned)
+    return matrices
 
 
 def _cross(arms: Array) -> Array:

@@ -25,8 +25,8 @@ def stiffness(xy: Array, C: Array) -> Array:
     """Return the stiffness matrices (m, 18, 18) [N/m] between u and v of elements with nodes (m, 9, 2), C (m, 3, 3)."""
     K = np.empty((len(xy), 18, 18))
     for start in range(0, len(xy), CHUNK):
-        some = slice(start, start + CHUNK)
-        K[some] = symmetric_gradient_stiffness(xy[some], C[some])
+        chunk = slice(start, start + CHUNK)
+        K[chunk] = symmetric_gradient_stiffness(xy[chunk], C[chunk])
     return K
 
 
@@ -36,8 +36,8 @@ def forces(points: Array, xy: Array, C: Array, u: Array) -> Array:
     inverse, _ = inverse_jacobian(dN, xy)
     u_x, v_x = (gradients(dN, inverse, u[:, 9 * k : 9 * (k + 1)]) for k in (0, 1))
     strain = np.stack([u_x[..., 0], v_x[..., 1], u_x[..., 1] + v_x[..., 0]], axis=-1)
-    found: Array = strain @ C
-    return found
+    resultants: Array = strain @ C
+    return resultants
 
 
 def held(nodes: Array, plates: list[Integers], joined: Integers) -> Flags:
@@ -50,10 +50,10 @@ def held(nodes: Array, plates: list[Integers], joined: Integers) -> Flags:
 
     place, rows = list[tuple[int, int]](), list[Array]()
     plate = np.full(len(nodes), -1)
-    for number, own in enumerate(plates):
-        plate[own] = number
-        x = nodes[own, 0]
-        first, last = int(own[np.argmin(x)]), int(own[np.argmax(x)])
+    for number, members in enumerate(plates):
+        plate[members] = number
+        x = nodes[members, 0]
+        first, last = int(members[np.argmin(x)]), int(members[np.argmax(x)])
         place += [(first, 0), (first, 1), (last, 1)]
     middle, size = nodes.mean(axis=0), np.ptp(nodes, axis=0).max()
 
@@ -64,11 +64,11 @@ def held(nodes: Array, plates: list[Integers], joined: Integers) -> Flags:
         row[plate[node]] = (1.0, 0.0, -y) if field == 0 else (0.0, 1.0, x)
         return row.ravel()
 
-    rows = [motion(*each) for each in place]
+    rows = [motion(*pair) for pair in place]
     steps = [motion(a, field) - motion(b, field) for a, b in joined.tolist() for field in (0, 1)]
     free = null_space(np.array(steps)) if steps else np.eye(3 * len(plates))
     order = qr((np.array(rows) @ free).T, pivoting=True, mode="r")[1]
-    found = np.zeros((len(nodes), 2), dtype=bool)
-    for each in order[: free.shape[1]]:
-        found[place[each]] = True
-    return found
+    mask = np.zeros((len(nodes), 2), dtype=bool)
+    for index in order[: free.shape[1]]:
+        mask[place[index]] = True
+    return mask

@@ -33,7 +33,7 @@ def forces_within(beams: Beams, loads: Array, part: Array) -> Array:
     loads (l, 6) are those on all spans, see COLUMNS.
     """
     number, L, rigidity = _spans(beams, loads)
-    a, q, q_growth, m, m_growth = (each[:, None] for each in loads.T[1:])
+    a, q, q_growth, m, m_growth = (column[:, None] for column in loads.T[1:])
     e = rigidity[:, :1] / rigidity[:, 2:3]
     rest = L - a
     of_Q1 = q * rest**2 / 2 + q_growth * rest**3 / 6
@@ -46,9 +46,9 @@ def forces_within(beams: Beams, loads: Array, part: Array) -> Array:
     V = V_0 - q * u - q_growth * u**2 / 2
     M = M_0 + V_0 * s - q * u**2 / 2 - q_growth * u**3 / 6
     T = m * u + m_growth * u**2 / 2 - (m * rest**2 / 2 + m_growth * rest**3 / 6) / L
-    found = np.zeros((np.count_nonzero(beams.spans), len(part), 4))
-    np.add.at(found, number, np.stack([M, T, V, np.zeros_like(M)], axis=-1))
-    return found
+    forces = np.zeros((np.count_nonzero(beams.spans), len(part), 4))
+    np.add.at(forces, number, np.stack([M, T, V, np.zeros_like(M)], axis=-1))
+    return forces
 
 
 def end_forces(beams: Beams, loads: Array) -> tuple[Array, Array, Array]:
@@ -67,17 +67,17 @@ def settlements_within(beams: Beams, loads: Array, start: Array, at_start: Array
     start (k, 2) are w and the slope of their sections at the start, at_start (k, 4) M, T, V and N there under the loads
     (l, 6).
     """
-    EI, _, GA, _ = (each[:, None] for each in beams.rigidity[beams.spans].T)
-    w, beta = (each[:, None] for each in start.T)
+    EI, _, GA, _ = (column[:, None] for column in beams.rigidity[beams.spans].T)
+    w, beta = (column[:, None] for column in start.T)
     M, V = at_start[:, :1], at_start[:, 2:3]
     s = part * beams.length[beams.spans, None]
-    found: Array = w + beta * s - (M * s**2 / 2 + V * s**3 / 6) / EI + V * s / GA
+    settlement: Array = w + beta * s - (M * s**2 / 2 + V * s**3 / 6) / EI + V * s / GA
     number, L, rigidity = _spans(beams, loads)
-    a, q, q_growth = (each[:, None] for each in loads.T[1:4])
+    a, q, q_growth = (column[:, None] for column in loads.T[1:4])
     u = np.maximum(part * L - a, 0.0)
     bent = (q * u**4 / 24 + q_growth * u**5 / 120) / rigidity[:, :1]
-    np.add.at(found, number, bent - (q * u**2 / 2 + q_growth * u**3 / 6) / rigidity[:, 2:3])
-    return found
+    np.add.at(settlement, number, bent - (q * u**2 / 2 + q_growth * u**3 / 6) / rigidity[:, 2:3])
+    return settlement
 
 
 def _spans(beams: Beams, loads: Array) -> tuple[Integers, Array, Array]:

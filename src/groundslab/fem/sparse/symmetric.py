@@ -77,11 +77,11 @@ class Symmetric:
         # what lies left of the diagonal stands in the columns of the upper half
         at = np.flatnonzero(wanted[self.indices])
         row = np.searchsorted(self.indptr, at, side="right") - 1
-        own = number[self.indices[at]]
-        left = numbers[own] != row
-        at, row, own = at[left], row[left], own[left]
+        column = number[self.indices[at]]
+        left = numbers[column] != row
+        at, row, column = at[left], row[left], column[left]
         entries = np.concatenate([right.data, self.data[at]])
-        places = np.concatenate([right.coords[0], own]), np.concatenate([right.coords[1], row])
+        places = np.concatenate([right.coords[0], column]), np.concatenate([right.coords[1], row])
         return csr_array((entries, places), shape=(k, self.size))
 
     def submatrix(self, numbers: Integers) -> Symmetric:
