@@ -63,15 +63,15 @@ def _read(folder: Path, name: str) -> dict[str, Any]:
         raise InputError([Issue(where, "numbers whose commas or points may group digits", "one way to read them")])
     matrix, issues = list[list[float]](), list[Issue]()
     for (number, _), row in zip(lines[1:], rows, strict=True):
-        found = [parse_number(cell.strip(), decimals) for cell in row]
+        numbers = [parse_number(cell.strip(), decimals) for cell in row]
         issues += [
             Issue(
                 f"{where}, line {number}, value {position}", describe(cell) if cell.strip() else "nothing", "a number"
             )
-            for position, (cell, value) in enumerate(zip(row, found, strict=True), start=1)
+            for position, (cell, value) in enumerate(zip(row, numbers, strict=True), start=1)
             if value is None
         ]
-        matrix.append([float(value) for value in found if value is not None])
+        matrix.append([float(value) for value in numbers if value is not None])
     if issues:
         raise InputError(issues[:MOST_ISSUES])
     return {"nodes": [name.strip() for name in names], "matrix": matrix}

@@ -74,8 +74,8 @@ def readings(text: str) -> tuple[Decimal, ...]:
 
 def why_unclear(text: str) -> str:
     """Return that a text may be two numbers, nothing if it is at most one."""
-    found = readings(text)
-    return f"{text.strip()} may be {' or '.join(map(format_number, found))}" if len(found) > 1 else ""
+    numbers = readings(text)
+    return f"{text.strip()} may be {' or '.join(map(format_number, numbers))}" if len(numbers) > 1 else ""
 
 
 def format_number(number: Decimal) -> str:

@@ -49,8 +49,8 @@ def _by_reason(lines: Sequence[ReportLine]) -> Iterator[str]:
     names: dict[tuple[str, str], list[str]] = {}
     for line in lines:
         names.setdefault((line.kind, line.why), []).append(line.name)
-    for (kind, why), given in names.items():
-        shown = [printable(name) for name in given[:MOST_NAMES] if name]
-        more = [f"{len(given) - MOST_NAMES} more"] if len(given) > MOST_NAMES else []
+    for (kind, why), group in names.items():
+        shown = [printable(name) for name in group[:MOST_NAMES] if name]
+        more = [f"{len(group) - MOST_NAMES} more"] if len(group) > MOST_NAMES else []
         which = f" {', '.join([*shown, *more])}" if shown else ""
         yield f"  {printable(kind)}{which}: {printable(why)}"

@@ -30,9 +30,9 @@ class PointIndex:
         """Return the number of a point, a new one if none is near."""
         column, row = (math.floor(value / self.tolerance) for value in point)
         for cell in ((column + i, row + j) for i in (0, -1, 1) for j in (0, -1, 1)):
-            for known in self._cells.get(cell, ()):
-                if math.dist(self.points[known], point) <= self.tolerance:
-                    return known
+            for number in self._cells.get(cell, ()):
+                if math.dist(self.points[number], point) <= self.tolerance:
+                    return number
         self.points.append(point)
         self._cells[column, row].append(len(self.points) - 1)
         return len(self.points) - 1
@@ -92,7 +92,7 @@ def join_lines(lines: list[tuple[Source, DrawnLine]], tolerance: float, context:
     loose: list[_Link] = []
     opened: list[tuple[Source, list[_Link]]] = []
     seen: set[tuple[int, int, int]] = set()
-    known: set[frozenset[tuple[int, int, int]]] = set()
+    keys: set[frozenset[tuple[int, int, int]]] = set()
     for source, piece in lines:
         links = _make_links(source, piece, nodes, middles)
         key = frozenset(link.key for link in links)
@@ -100,11 +100,11 @@ def join_lines(lines: list[tuple[Source, DrawnLine]], tolerance: float, context:
             context.report_entity(source, False, "it has no length")
         elif links[0].a != links[-1].b:
             opened.append((source, links))
-        elif key in known:
+        elif key in keys:
             context.report_entity(source, False, DOUBLE)
         else:
             rings.append(links)
-            known.add(key)
+            keys.add(key)
             seen |= key
     for source, links in opened:
         fresh = [link for link in links if link.key not in seen]
@@ -147,8 +147,8 @@ def join_outlines(curves: list[ClosedCurve], tolerance: float, context: ReadCont
     if rings:
         parts_of[0] += of_first.values()  # all of whose edges are shared
     return [
-        ClosedCurve(ring.curve, tuple(source for each in parts for source in each.sources),
-                    {source: why for each in parts for source, why in each.remarks.items()})
+        ClosedCurve(ring.curve, tuple(source for part in parts for source in part.sources),
+                    {source: why for part in parts for source, why in part.remarks.items()})
         for ring, parts in zip(rings, parts_of, strict=True)
     ]  # fmt: skip
 
@@ -299,8 +299,8 @@ def _check_ends(loose: list[_Link], at: dict[int, list[int]], nodes: PointIndex,
     ends = [node for node, links in at.items() if len(links) == 1]
     paired: set[int] = set()
     # The shortest gaps first; nobody repairs hundreds of open ends from a list of them all.
-    some = ends[:MOST_ENDS]
-    pairs = sorted((math.dist(nodes.points[a], nodes.points[b]), a, b) for i, a in enumerate(some) for b in some[:i])
+    shown = ends[:MOST_ENDS]
+    pairs = sorted((math.dist(nodes.points[a], nodes.points[b]), a, b) for i, a in enumerate(shown) for b in shown[:i])
     for gap, a, b in pairs:
         if not {a, b} & paired:
             paired |= {a, b}
@@ -308,12 +308,12 @@ def _check_ends(loose: list[_Link], at: dict[int, list[int]], nodes: PointIndex,
             found = f"a gap of {context.format_length(gap)}, to {context.format_point(nodes.points[b])}"
             hint = "join the ends, move anything that is not an edge to another layer, or allow wider gaps to be closed"
             context.issue([loose[at[end][0]].source for end in (a, b)], nodes.points[a], found, expected, hint)
-    for node in some:
+    for node in shown:
         if node not in paired:
             context.issue([loose[at[node][0]].source], nodes.points[node], "an open end", expected)
-    if len(ends) > len(some):
-        node = ends[len(some)]
-        found = f"{len(ends) - len(some)} more open ends, this being the next"
+    if len(ends) > len(shown):
+        node = ends[len(shown)]
+        found = f"{len(ends) - len(shown)} more open ends, this being the next"
         context.issue([loose[at[node][0]].source], nodes.points[node], found, expected)
     for node, links in at.items():
         if len(links) > 2:

@@ -67,8 +67,8 @@ def _width(entity: DXFEntity, context: ReadContext) -> float:
 
     widths = {0.0}
     if isinstance(entity, LWPolyline):
-        given = entity.dxf.const_width
-        widths = {float(given)} if given else {float(width) for pair in entity.get_points("se") for width in pair}
+        constant = entity.dxf.const_width
+        widths = {float(constant)} if constant else {float(width) for pair in entity.get_points("se") for width in pair}
     elif isinstance(entity, Polyline) and entity.is_2d_polyline:
         widths = {float(entity.dxf.default_start_width), float(entity.dxf.default_end_width)}
     width = context.to_meters(widths.pop()) if len(widths) == 1 else 0.0

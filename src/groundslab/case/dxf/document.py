@@ -139,8 +139,8 @@ class Roles:
         for name, role in (usual if every else named).items():
             self._forms[_flat(name)] = role
             if usual.get(name) == role:
-                one = _flat(name).removesuffix("s")
-                self._forms |= {form: role for form in (one, f"{one}s") if form not in named}
+                singular = _flat(name).removesuffix("s")
+                self._forms |= {form: role for form in (singular, f"{singular}s") if form not in named}
 
     def of(self, layer: str) -> str | None:
         """Return the role of a layer, None if it is not read."""
@@ -173,9 +173,9 @@ def assign_roles(layers: Layers, context: ReadContext) -> Roles:
     """Return the role of each layer; a usual name that another role was given is that one's."""
     roles: dict[str, str] = {}
     names = {field.name: str(getattr(layers, field.name)) for field in fields(layers)}
-    given = {name.lower() for role, name in names.items() if name != getattr(Layers(), role)}
+    taken = {name.lower() for role, name in names.items() if name != getattr(Layers(), role)}
     for role, name in names.items():
-        if role != "outline" and name == getattr(Layers(), role) and name.lower() in given:
+        if role != "outline" and name == getattr(Layers(), role) and name.lower() in taken:
             continue
         if name and name.lower() in roles:
             expected = "a separate layer"
@@ -191,11 +191,11 @@ def assign_roles(layers: Layers, context: ReadContext) -> Roles:
 
 def name_roles(layers: Mapping[str, str], context: ReadContext) -> Roles:
     """Return the role of each layer from a full list of names, of which several may have the same role."""
-    known = [field.name for field in fields(Layers)]
+    roles = [field.name for field in fields(Layers)]
     for layer, role in layers.items():
-        if role not in known:
+        if role not in roles:
             where = f"layer {describe(layer)}"
-            context.issues.append(Issue(where, describe(role), one_of(known), suggestion(role, known)))
+            context.issues.append(Issue(where, describe(role), one_of(roles), suggestion(role, roles)))
     if "outline" not in layers.values():
         context.issues.append(Issue("layer for outline", "no layer", "the layer that holds the slab's edge"))
     return Roles({layer.lower(): role for layer, role in layers.items()}, every=True)
@@ -235,7 +235,7 @@ def check_layers(
     context: ReadContext,
 ) -> None:
     """Report layers that are hidden or empty; the outline's, or one given by name, must not be empty."""
-    known = [layer.dxf.name for layer in document.layers]
+    names = [layer.dxf.name for layer in document.layers]
     usual = Layers()
     for key, role in roles.named.items():
         name: str = getattr(layers, role)
@@ -243,8 +243,8 @@ def check_layers(
         if entities[role] or (role in WITH_VALUE and key == getattr(usual, role).lower()):
             continue
         if role == "outline" or key != getattr(usual, role).lower():
-            shown = ", ".join(describe(layer) for layer in known[:12]) + (" ..." if len(known) > 12 else "")
-            meant = suggestion(name, [layer for layer in known if layer.lower() != key])
+            shown = ", ".join(describe(layer) for layer in names[:12]) + (" ..." if len(names) > 12 else "")
+            meant = suggestion(name, [layer for layer in names if layer.lower() != key])
             hint = f"{meant} the drawing has the layers {shown}".lstrip()
             where = f"{context.path}, layer {describe(name)}"
             context.issues.append(Issue(where, "nothing on it", f"entities for {role.replace('_', ' ')}", hint))

@@ -67,9 +67,9 @@ class BlockCounts:
         """Return the content of entities, and add that of blocks they refer to, directly or through other blocks."""
         first, todo = _Content(), [(entities, "")]
         while todo:
-            some, name = todo.pop()
+            items, name = todo.pop()
             content = contents.setdefault(name, _Content()) if name else first
-            for entity in some:
+            for entity in items:
                 layer = layer_of(entity)
                 role = "0" if layer == "0" and name else self._roles.of(layer)
                 if entity.dxftype() != "INSERT":

@@ -112,8 +112,8 @@ def _describe_layer(document: Document, name: str) -> LayerContent:
     """Return a layer without its content."""
     usual = Layers()
     role = Roles({getattr(usual, role_name).lower(): role_name for role_name in Layers.__dataclass_fields__}).of(name)
-    known = document.layers.get(name) if document.layers.has_entry(name) else None
-    return LayerContent(name, role, known is not None and (known.is_frozen() or known.is_off()))
+    layer = document.layers.get(name) if document.layers.has_entry(name) else None
+    return LayerContent(name, role, layer is not None and (layer.is_frozen() or layer.is_off()))
 
 
 def _suggest_outline(layers: list[LayerContent]) -> None:

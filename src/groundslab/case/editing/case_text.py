@@ -59,5 +59,5 @@ def _with(data: Any, path: Path, value: Any) -> Any:
     if not path:
         return value
     if isinstance(path[0], int):
-        return [_with(each, path[1:], value) if n == path[0] else each for n, each in enumerate(data)]
+        return [_with(item, path[1:], value) if n == path[0] else item for n, item in enumerate(data)]
     return {**data, path[0]: _with(data.get(path[0], {}), path[1:], value)}

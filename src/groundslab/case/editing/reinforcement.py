@@ -47,9 +47,9 @@ def with_reinforcement(text: str, reinforcement: Reinforcement, folder: Path) ->
 def _in_customary_units(value: Any, system: System, key: str = "") -> Any:
     """Return tables with lengths in inches, or those of bars in millimeters, where these mean the same."""
     if isinstance(value, dict):
-        return {name: _in_customary_units(each, system, name) for name, each in value.items()}
+        return {name: _in_customary_units(item, system, name) for name, item in value.items()}
     if isinstance(value, list):
-        return [_in_customary_units(each, system, key) for each in value]
+        return [_in_customary_units(item, system, key) for item in value]
     if not isinstance(value, str) or not value.endswith(" m") or (system == "SI" and key not in OF_BARS):
         return value
     length = parse(value, "length")

@@ -28,14 +28,14 @@ class TomlEditor:
 
     def set(self, path: Path, new: Any) -> list[Replacement]:
         """Set the value at a path; missing tables on the way are created, but no list items."""
-        known = len(path)
-        while get_value(self.data, path[:known], MISSING) is MISSING:
-            known -= 1
-        if known == len(path):
+        depth = len(path)
+        while get_value(self.data, path[:depth], MISSING) is MISSING:
+            depth -= 1
+        if depth == len(path):
             return self._change(path, get_value(self.data, path), new)
-        for step in reversed(path[known + 1 :]):
+        for step in reversed(path[depth + 1 :]):
             new = {step: new}
-        above, step = path[:known], path[known]
+        above, step = path[:depth], path[depth]
         assert isinstance(step, str)
         if self.layout.is_inline(above):
             old = get_value(self.data, above)

@@ -57,8 +57,8 @@ class Body:
         areas = np.linalg.norm(normals, axis=1)
         angles = np.degrees(np.arccos(np.clip(np.abs(normals[:, 2]) / np.maximum(areas, 1e-300), 0, 1)))
         lying = np.where(angles < 80, areas, 0.0)
-        each, place = np.unique(np.round(angles, 2), return_inverse=True)
-        return float(each[np.bincount(place, lying).argmax()])
+        values, place = np.unique(np.round(angles, 2), return_inverse=True)
+        return float(values[np.bincount(place, lying).argmax()])
 
     def _in_plan(self, triangles: Integers) -> BaseGeometry:
         """Return the union of triangles in plan."""

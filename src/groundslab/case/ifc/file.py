@@ -64,20 +64,20 @@ class IfcFile:
 
     def said_thickness(self, element: Any) -> dict[str, float]:
         """Return what the file says of an element's thickness [m] beside its body, by what says it."""
-        found: dict[str, float] = {}
+        thicknesses: dict[str, float] = {}
         try:
             material = self.relations.get_material(element)
             layers = getattr(getattr(material, "ForLayerSet", material), "MaterialLayers", None) or ()
             if layers:
-                found["its material layers"] = self.scale * sum(float(layer.LayerThickness) for layer in layers)
+                thicknesses["its material layers"] = self.scale * sum(float(layer.LayerThickness) for layer in layers)
             for values in self.relations.get_psets(element, qtos_only=True).values():
                 named = (name for name in THICKNESSES[element.is_a("IfcWall")] if isinstance(values.get(name), float))
-                found |= {f"its quantity {name}": self.scale * values[name] for name in named}
+                thicknesses |= {f"its quantity {name}": self.scale * values[name] for name in named}
         except MemoryError:
             raise
         except Exception:  # of any kind, as what is damaged may be anything; the body counts
             return {}
-        return {what: round(value, 9) for what, value in found.items() if math.isfinite(value) and value > 0}
+        return {what: round(value, 9) for what, value in thicknesses.items() if math.isfinite(value) and value > 0}
 
     def _make_body(self, element: Any) -> Body | str:
         """Return the body of an element, or why there is none."""
@@ -168,14 +168,14 @@ def map_note(file: IfcFile) -> str | None:
     operations = file.by_type("IfcMapConversion")
     if not operations:
         return None
-    given = operations[0]
+    conversion = operations[0]
     try:
-        easting, northing, height = (float(given[n] or 0.0) for n in (2, 3, 4))
-        east, north = given.XAxisAbscissa, given.XAxisOrdinate
+        easting, northing, height = (float(conversion[n] or 0.0) for n in (2, 3, 4))
+        east, north = conversion.XAxisAbscissa, conversion.XAxisOrdinate
         turned = 0.0 if east is None or north is None else math.degrees(math.atan2(north, east))
     except (TypeError, ValueError, AttributeError):
         return "IfcMapConversion: it cannot be read; coordinates are those of the building"
-    name = getattr(given.TargetCRS, "Name", None)
+    name = getattr(conversion.TargetCRS, "Name", None)
     system = f" of {name}" if name else ""
     return (
         f"IfcMapConversion: the file's origin is at easting {easting:.10g}, northing {northing:.10g}, height "

@@ -164,7 +164,7 @@ def _survey_slab(file: IfcFile, element: Any) -> SlabInFile:
     except InputError as error:
         return SlabInFile(*about, problem="; ".join(issue.found for issue in error.issues))
     x0, y0, x1, y1 = slab.plan.bounds
-    columns, walls = (sum(1 for _ in found(file, slab, [])) for found in (_columns, _walls))
+    columns, walls = (sum(1 for _ in reader(file, slab, [])) for reader in (_columns, _walls))
     return SlabInFile(*about, slab.top, (x1 - x0, y1 - y0), columns, walls)
 
 
@@ -229,16 +229,16 @@ def _walls(file: IfcFile, slab: Slab, report: list[ReportLine]) -> Iterator[tupl
             report.append(ReportLine("IfcWall", name_of(element), False, why))
             continue
         width = max(width for _, width in strips)
-        found = [_on_slab(axis, slab) for axis, _ in strips]
-        if not any(parts for parts, _ in found):
+        placed = [_on_slab(axis, slab) for axis, _ in strips]
+        if not any(parts for parts, _ in placed):
             report.append(ReportLine("IfcWall", name_of(element), False, "its axis is beside the slab"))
             continue
         cut = f", in {len(strips)} pieces as between doors" if len(strips) > 1 else ""
-        cut += "" if all(whole for _, whole in found) else ", as far as its axis is on the slab"
+        cut += "" if all(whole for _, whole in placed) else ", as far as its axis is on the slab"
         doors = ", its openings are not read" if element.HasOpenings else ""
         report.append(ReportLine("IfcWall", name_of(element), True, f"wall, {width:.6g} m thick{cut}{doors}"))
         report += contradictions(file, element, width)
-        for (parts, _), (_, thickness) in zip(found, strips, strict=True):
+        for (parts, _), (_, thickness) in zip(placed, strips, strict=True):
             for ends in parts:
                 yield name_of(element), dxf.LineMark(ends, (0.0,) * (len(ends) - 1), round(thickness, 9), "")
 

@@ -159,8 +159,8 @@ def _reading(model: Model, file: str, choices: Choices) -> Reactions:
     last, reading = model.reactions or Reactions(), choices.reading
     unknown = [key for key in reading if key not in Reactions.model_fields]
     if unknown:
-        known = ", ".join(Reactions.model_fields)
-        raise InputError([Issue("reactions", f"{describe(key)}", f"one of {known}") for key in unknown])
+        keys = ", ".join(Reactions.model_fields)
+        raise InputError([Issue("reactions", f"{describe(key)}", f"one of {keys}") for key in unknown])
     pairs = {pair.table: pair.case for pair in last.cases} | dict(choices.cases)
     named = {pair.table: pair.on for pair in last.supports} | dict(choices.supports)
     reading = {**reading} | {
@@ -169,13 +169,13 @@ def _reading(model: Model, file: str, choices: Choices) -> Reactions:
     headings = reading.get("headings", {})
     if isinstance(headings, Mapping):
         reading = {**reading, "headings": last.headings.replace(**headings)}
-    given = {
+    changes = {
         **reading,
         "file": file,
         "cases": tuple({"table": name, "case": case} for name, case in pairs.items()),
         "supports": tuple({"table": name, "on": base} for name, base in named.items()),
     }
-    return last.replace(**given)
+    return last.replace(**changes)
 
 
 def _take(
@@ -185,7 +185,7 @@ def _take(
     table = read_table(path, reading)
     cases = match_cases(table, model, reading, choices.new_cases)
     left = {*cases.left, *reading.without_cases}
-    taken = [each for each in table.reactions if each.case not in left and each.support not in reading.without_supports]
+    taken = [row for row in table.reactions if row.case not in left and row.support not in reading.without_supports]
     matched = match_supports(taken, table, model, reading)
     issues = [*cases.issues, *matched.issues, *repeated(taken, table)]
     if table.per and not issues:
@@ -229,7 +229,7 @@ def _push(document: LoadsText, sums: Mapping[str, Sequence[Decimal]], unit: str)
 def _move(document: LoadsText, moved: tuple[Moved, ...]) -> None:
     """Move columns to where a table has them."""
     positions = {column["name"]: n for n, column in enumerate(document.data.get("columns", []))}
-    for each in moved:
-        if each.name in positions:
-            for axis, text in zip(("x", "y"), each.texts, strict=True):
-                document.set(("columns", positions[each.name], axis), text)
+    for move in moved:
+        if move.name in positions:
+            for axis, text in zip(("x", "y"), move.texts, strict=True):
+                document.set(("columns", positions[move.name], axis), text)

@@ -61,7 +61,7 @@ class ReactionChange:
 
 def _words(before: Resultant | None, after: Resultant | None, name: str, dimension: str) -> str:
     """Return a value before and after; nothing if both are 0."""
-    return _pair(name, *(getattr(each, name) for each in (before, after) if each is not None), dimension=dimension)
+    return _pair(name, *(getattr(value, name) for value in (before, after) if value is not None), dimension=dimension)
 
 
 def _pair(name: str, *values: float, dimension: str) -> str:
@@ -102,8 +102,8 @@ def find_changes(
     before: Resultants, after: Resultants, moved: Iterable[Moved], threshold: float = THRESHOLD
 ) -> Iterator[ReactionChange]:
     """Yield the differences between two states of imported loads, and what has moved."""
-    for each in moved:
-        yield ReactionChange("moved", each.name, places=(each.before, each.after))
+    for move in moved:
+        yield ReactionChange("moved", move.name, places=(move.before, move.after))
     for key in dict.fromkeys((*after, *before)):
         old, new = before.get(key), after.get(key)
         if old is None or new is None:
@@ -135,9 +135,9 @@ def sum_cases(
 
 def _sum(forces: Resultants, case: str, places: Mapping[str, Place]) -> Resultant:
     """Return force and moments about x = y = 0 of what acts in a case."""
-    own = [(force, places.get(name, (0.0, 0.0))) for (name, each), force in forces.items() if each == case]
+    acting = [(force, places.get(name, (0.0, 0.0))) for (name, load_case), force in forces.items() if load_case == case]
     return Resultant(
-        math.fsum(force.P for force, _ in own),
-        math.fsum(force.M_x + force.P * x for force, (x, _) in own),
-        math.fsum(force.M_y + force.P * y for force, (_, y) in own),
+        math.fsum(force.P for force, _ in acting),
+        math.fsum(force.M_x + force.P * x for force, (x, _) in acting),
+        math.fsum(force.M_y + force.P * y for force, (_, y) in acting),
     )

@@ -57,8 +57,8 @@ def to_force(reaction: Reaction, reading: Reactions) -> Force:
 
 def signs_in_words(reading: Reactions) -> str:
     """Return what the signs of a table mean, such as "P = F_z, M_x = -M_y of the table, M_y = M_x of the table"."""
-    one = Reaction(0, "", "", None, Decimal(1), Decimal(2), Decimal(3))
-    force = to_force(one, reading)
+    example = Reaction(0, "", "", None, Decimal(1), Decimal(2), Decimal(3))
+    force = to_force(example, reading)
     words = {Decimal(1): "F_z", Decimal(2): "M_x of the table", Decimal(3): "M_y of the table"}
     values = {"P": force.P, "M_x": force.M_x, "M_y": force.M_y}
     return ", ".join(f"{name} = {'-' * (value < 0)}{words[abs(value)]}" for name, value in values.items())
@@ -130,12 +130,12 @@ def make_loads(transfer: Transfer, model: Model) -> tuple[dict[Key, dict[str, st
         forces = [to_force(reaction, transfer.reading) for reaction in group]
         source = ", ".join(dict.fromkeys(reaction.support for reaction in group))
         if name in walls:
-            made = dict(_line(forces, group, walls[name], transfer))
+            tables = dict(_line(forces, group, walls[name], transfer))
             if _straight(walls[name]) is None and any(force.M_x or force.M_y for force in forces):
                 bent[name] = None
         else:
-            made = dict(_point(name, forces, transfer.table))
-        for kind, values in made.items():
+            tables = dict(_point(name, forces, transfer.table))
+        for kind, values in tables.items():
             loads[kind, name, case] = {"kind": kind, "case": case, **values, "source": source}
     remarks = [f"moments on walls that are not straight are left out: {listed(bent, 'and')}"] if bent else []
     return loads, remarks
@@ -143,7 +143,7 @@ def make_loads(transfer: Transfer, model: Model) -> tuple[dict[Key, dict[str, st
 
 def _point(name: str, forces: Iterable[Force], table: ReactionTable) -> Iterator[tuple[str, dict[str, str]]]:
     """Yield force and moments of a load on a column, unless all are 0."""
-    totals = [sum(each, ZERO) for each in zip(*((force.P, force.M_x, force.M_y) for force in forces), strict=True)]
+    totals = [sum(column, ZERO) for column in zip(*((force.P, force.M_x, force.M_y) for force in forces), strict=True)]
     if any(totals):
         moments = dict(zip(("M_x", "M_y"), totals[1:], strict=True))
         values = {key: f"{format_number(moment)} {table.moment}" for key, moment in moments.items() if moment}
@@ -210,7 +210,7 @@ def _add(one: Resultant, P: float, M_x: float, M_y: float) -> Resultant:
 def resultants(model: Model) -> dict[tuple[str, str], Resultant]:
     """Return what the imported loads of a model are together, by column or wall, and load case."""
     axes = {wall.name: (_straight(wall), wall.length) for wall in model.placed_walls}
-    found: dict[tuple[str, str], Resultant] = {}
+    totals: dict[tuple[str, str], Resultant] = {}
     for load in model.loads:
         if not isinstance(load, PointLoad | LineLoad | LineMoment) or not load.source:
             continue
@@ -228,8 +228,8 @@ def resultants(model: Model) -> dict[tuple[str, str], Resultant]:
             else:
                 force = (0.0, -load.m * L * ty, load.m * L * tx)
         key = (name, load.case)
-        found[key] = _add(found.get(key, Resultant()), *force)
-    return found
+        totals[key] = _add(totals.get(key, Resultant()), *force)
+    return totals
 
 
 def middles(model: Model) -> dict[str, Place]:

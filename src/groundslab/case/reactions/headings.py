@@ -147,9 +147,9 @@ def unit_of(text: str, dimension: str = "") -> str:
     )
     unit = " ".join(word for word in words if word)
     unit = re.sub(r"\b(k|M|)N m$", r"\1Nm", unit)
-    for each in (dimension,) if dimension else ("force", "moment", "length", "force per length", "moment per length"):
+    for kind in (dimension,) if dimension else ("force", "moment", "length", "force per length", "moment per length"):
         try:
-            units.parse(f"1 {unit}", each)
+            units.parse(f"1 {unit}", kind)
         except units.QuantityError:
             continue
         return unit
@@ -184,14 +184,14 @@ def _fill(row: Sequence[str], width: int) -> list[str]:
 def _unit_row(row: Sequence[str]) -> dict[int, str]:
     """Return the units of a row that holds nothing else, by column."""
     said = {column: cell.strip("[](){} -") for column, cell in enumerate(row)}
-    found = {column: unit_of(each) for column, each in said.items() if each and each.lower() not in _NO_UNITS}
-    return found if found and all(found.values()) else {}
+    by_column = {column: unit_of(text) for column, text in said.items() if text and text.lower() not in _NO_UNITS}
+    return by_column if by_column and all(by_column.values()) else {}
 
 
 def _units_in(text: str, dimension: str) -> str:
     """Return the unit in brackets in a heading."""
-    found = _BRACKETS.findall(text)
-    return next((unit for each in found if (unit := unit_of(each, dimension))), "")
+    brackets = _BRACKETS.findall(text)
+    return next((unit for bracket in brackets if (unit := unit_of(bracket, dimension))), "")
 
 
 def _columns(
@@ -218,9 +218,9 @@ def _unit(role: Role, heading: str, above: str, stated: str) -> str:
     if dimension is None:
         return ""
     kinds = (dimension,) if dimension == "length" else (dimension, f"{dimension} per length")
-    found = (_units_in(text, kind) for text in (heading, above) for kind in kinds)
-    own = next((unit for unit in found if unit), "")
-    return listed(dict.fromkeys([own, stated]), BOTH) if own and stated else own or stated
+    candidates = (_units_in(text, kind) for text in (heading, above) for kind in kinds)
+    written = next((unit for unit in candidates if unit), "")
+    return listed(dict.fromkeys([written, stated]), BOTH) if written and stated else written or stated
 
 
 def _without_unit(text: str) -> str:
@@ -257,7 +257,7 @@ def _preferred(columns: Sequence[Heading], row: Sequence[str], grid: Grid, first
 def _require_places(columns: Sequence[Heading], row: Sequence[str], grid: Grid, top: int) -> None:
     """Raise InputError for two columns of one heading that differ, of coordinates or of horizontal forces."""
     issues = []
-    for one, other in combinations((each for each in columns if each.role in ("x", "y", "F_x", "F_y")), 2):
+    for one, other in combinations((heading for heading in columns if heading.role in ("x", "y", "F_x", "F_y")), 2):
         same = one.role == other.role and _rank(one.role, row[one.column]) == _rank(other.role, row[other.column])
         if same and any(a != b for a, b in _pairs(grid, top + 1, one.column, other.column)):
             found = f"two columns with {one.role}: {listed([row[one.column], row[other.column]], 'and')}"
@@ -275,7 +275,7 @@ def _pairs(grid: Grid, first: int, one: int, other: int) -> Iterator[tuple[Cell,
 def _rank(role: Role, text: str) -> int:
     """Return the place of a heading among the usual ones; one that was given is the first."""
     plain = _plain(text)
-    return next((USUAL[role].index(each) for each in (plain, plain.removesuffix("s")) if each in USUAL[role]), -1)
+    return next((USUAL[role].index(form) for form in (plain, plain.removesuffix("s")) if form in USUAL[role]), -1)
 
 
 def _has_numbers(grid: Grid, column: int, first: int) -> bool:

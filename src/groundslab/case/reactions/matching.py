@@ -42,7 +42,7 @@ class Frame:
         """Return the place of a support in the plan [m]."""
         if reaction.place is None:
             return None
-        x, y = (float(each) * self.size for each in reaction.place)
+        x, y = (float(coordinate) * self.size for coordinate in reaction.place)
         return round(self.origin[0] + x, DIGITS), round(self.origin[1] + self.y * y, DIGITS)
 
     def texts(self, reaction: Reaction) -> tuple[str, str]:
@@ -114,8 +114,8 @@ def match_supports(reactions: Sequence[Reaction], table: ReactionTable, model: M
     bases |= {column.name: column for column in model.columns}
     said = {pair.table: pair.on for pair in reading.supports}
     on: dict[str, str] = {}
-    made, moved, issues = list[dict[str, str]](), list[Moved](), list[Issue]()
-    for support, reaction in {each.support: each for each in reversed(reactions)}.items():
+    columns, moved, issues = list[dict[str, str]](), list[Moved](), list[Issue]()
+    for support, reaction in {entry.support: entry for entry in reversed(reactions)}.items():
         place = frame.place(reaction)
         name = said.get(support) or _same_name(support, bases)
         if name in bases:
@@ -133,10 +133,10 @@ def match_supports(reactions: Sequence[Reaction], table: ReactionTable, model: M
             on[support] = near[0].name
         elif place is not None and reading.footprint is not None:
             on[support] = support
-            made.append(_new_column(support, frame.texts(reaction), reading.footprint))
+            columns.append(_new_column(support, frame.texts(reaction), reading.footprint))
         else:
             issues.append(_unmatched(table, reaction, place, near))
-    return Matched(on, tuple(reversed(made)), tuple(reversed(moved)), tuple(reversed(issues)))
+    return Matched(on, tuple(reversed(columns)), tuple(reversed(moved)), tuple(reversed(issues)))
 
 
 def _same_name(name: str, known: Iterable[str]) -> str:
@@ -144,7 +144,7 @@ def _same_name(name: str, known: Iterable[str]) -> str:
     names = list(known)
     if name in names:
         return name
-    alike = [each for each in names if _letters(each) == _letters(name)]
+    alike = [candidate for candidate in names if _letters(candidate) == _letters(name)]
     return alike[0] if len(alike) == 1 else ""
 
 
@@ -225,11 +225,11 @@ def match_cases(table: ReactionTable, model: Model, reading: Reactions, new_case
         Action, or category of a variable one, of each load case that is new.
     """
     said = {pair.table: pair.case for pair in reading.cases}
-    known = [case.name for case in model.cases]
+    cases = [case.name for case in model.cases]
     names: dict[str, str] = {}
-    made, left, issues = list[dict[str, str]](), list[str](), list[Issue]()
+    tables, left, issues = list[dict[str, str]](), list[str](), list[Issue]()
     for case in cases_of(table.reactions):
-        same = said.get(case) or _same_name(case, known)
+        same = said.get(case) or _same_name(case, cases)
         if case in reading.without_cases:
             continue
         if case in table.unsigned and (same or case in new_cases):
@@ -242,16 +242,16 @@ def match_cases(table: ReactionTable, model: Model, reading: Reactions, new_case
             names[case] = same
         elif case in new_cases:
             names[case] = case
-            made += _new_case(case, new_cases[case], issues)
+            tables += _new_case(case, new_cases[case], issues)
         elif case in table.combined:
             left.append(case)
         else:
-            expected = f"one of {listed(map(quote, known))}" if known else "a load case of the case file"
+            expected = f"one of {listed(map(quote, cases))}" if cases else "a load case of the case file"
             hint = "say which one it is, give its action if it is new, or leave it out"
             issues.append(Issue(table.name, f"load case {quote(case)}", expected, hint))
     for case in (case for case in new_cases if case not in cases_of(table.reactions)):
         issues.append(Issue(table.name, f"no load case {quote(case)}", f"one of {listed(cases_of(table.reactions))}"))
-    return MatchedCases(names, tuple(made), tuple(left), tuple(issues))
+    return MatchedCases(names, tuple(tables), tuple(left), tuple(issues))
 
 
 def remarks_on_cases(
@@ -260,15 +260,15 @@ def remarks_on_cases(
     """Return what contradicts the actions of cases: their types in the table; no negative value of a seismic one."""
     actions = {case.name: case.action for case in model.cases} | {case["name"]: case["action"] for case in matched.new}
     values: dict[str, list[Decimal]] = {}
-    for each in reactions:
-        values.setdefault(each.case, []).extend(value for value in (each.F_z, each.M_x, each.M_y) if value)
+    for row in reactions:
+        values.setdefault(row.case, []).extend(value for value in (row.F_z, row.M_x, row.M_y) if value)
     remarks = []
-    for case, found in values.items():
+    for case, numbers in values.items():
         action, said = actions[matched.names[case]], table.types.get(case, "")
         kinds = {kind for word, kind in _TYPES.items() if re.search(word, said, re.IGNORECASE)}
         if kinds and action not in kinds:
             remarks.append(f"load case {quote(case)} has the type {describe(said)} in the table and is {action} here")
-        if action == "seismic" and len(found) > 1 and min(found) > 0:
+        if action == "seismic" and len(numbers) > 1 and min(numbers) > 0:
             why = "if they are of a response spectrum, they have no signs and are no load"
             remarks.append(f"load case {quote(case)} is seismic and none of its values is negative: {why}")
     return remarks
@@ -324,12 +324,12 @@ def with_resultants(
     if issues:
         return list(reactions)
     size = units.parse(f"1 {table.per}", "length")
-    made = []
+    totals = []
     for reaction in reactions:
         length = Decimal(f"{walls[matched.on[reaction.support]].length / size:.15g}")
         forces = {name: getattr(reaction, name) * length for name in ("F_x", "F_y", "F_z", "M_x", "M_y")}
-        made.append(replace(reaction, place=None, **forces))
-    return made
+        totals.append(replace(reaction, place=None, **forces))
+    return totals
 
 
 def sideways(reactions: Iterable[Reaction], names: Mapping[str, str], reading: Reactions) -> dict[str, list[Decimal]]:
@@ -345,11 +345,11 @@ def sideways(reactions: Iterable[Reaction], names: Mapping[str, str], reading: R
 
 def words_of_sideways(sums: Mapping[str, Sequence[Decimal]], unit: str) -> list[str]:
     """Return a remark on horizontal forces that are not taken."""
-    found = [f"{case} {format_number(x)} and {format_number(y)}" for case, (x, y) in sums.items() if x or y]
-    if not found:
+    words = [f"{case} {format_number(x)} and {format_number(y)}" for case, (x, y) in sums.items() if x or y]
+    if not words:
         return []
-    more = f" and {len(found) - LISTED} more" if len(found) > LISTED else ""
+    more = f" and {len(words) - LISTED} more" if len(words) > LISTED else ""
     return [
-        f"horizontal forces are not taken; their sums F_x and F_y [{unit}]: {', '.join(found[:LISTED])}{more}; "
+        f"horizontal forces are not taken; their sums F_x and F_y [{unit}]: {', '.join(words[:LISTED])}{more}; "
         'say what they act on to have them as H_x and H_y: horizontal = "on the slab" or "on the structure"'
     ]

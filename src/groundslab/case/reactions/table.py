@@ -113,23 +113,23 @@ def read_table(path: str | Path, reading: Reactions) -> ReactionTable:
     """
     grids = read_grids(path)
     if reading.sheet and len(grids) > 1:
-        known = [grid.sheet for grid in grids]
+        sheets = [grid.sheet for grid in grids]
         grids = tuple(grid for grid in grids if grid.sheet == reading.sheet)
         if not grids:
             raise InputError(
-                [Issue("sheet", describe(reading.sheet), f"a sheet of {path}: {listed(map(quote, known))}")]
+                [Issue("sheet", describe(reading.sheet), f"a sheet of {path}: {listed(map(quote, sheets))}")]
             )
-    found = [(grid, headings) for grid in grids if (headings := find_headings(grid, reading.headings, reading.case))]
-    if not found:
+    tables = [(grid, headings) for grid in grids if (headings := find_headings(grid, reading.headings, reading.case))]
+    if not tables:
         expected = "headings of supports, of load cases and of vertical forces, such as Joint, Case, FZ"
         hint = 'name them: headings = {support = "...", case = "...", F_z = "..."}'
         raise InputError([Issue(str(path), "no table of reactions", expected, hint)])
-    if len(found) > 1:
-        names = listed((quote(grid.sheet) for grid, _ in found), "and")
+    if len(tables) > 1:
+        names = listed((quote(grid.sheet) for grid, _ in tables), "and")
         raise InputError(
             [Issue(str(path), f"reactions on the sheets {names}", "one of them", 'name it: sheet = "..."')]
         )
-    return _read(*found[0], reading)
+    return _read(*tables[0], reading)
 
 
 def _read(grid: Grid, headings: Headings, reading: Reactions) -> ReactionTable:
@@ -166,31 +166,31 @@ def _units(grid: Grid, headings: Headings, reading: Reactions) -> tuple[tuple[st
 
     Also remarks on units that differ from what was given or from each other.
     """
-    found, issues, remarks = list[str](), list[Issue](), list[str]()
+    chosen, issues, remarks = list[str](), list[Issue](), list[str]()
     for dimension, given in (("force", reading.force), ("moment", reading.moment), ("length", reading.length)):
-        own = [each for each in headings.columns if DIMENSIONS.get(each.role) == dimension]
+        columns = [heading for heading in headings.columns if DIMENSIONS.get(heading.role) == dimension]
         if dimension == "force":
-            own = list(headings.of(*(("F_z",) if reading.horizontal == "left out" else ("F_x", "F_y", "F_z"))))
-        stated = list(dict.fromkeys(each.unit for each in own if each.unit))
+            columns = list(headings.of(*(("F_z",) if reading.horizontal == "left out" else ("F_x", "F_y", "F_z"))))
+        stated = list(dict.fromkeys(heading.unit for heading in columns if heading.unit))
         if len(stated) > 1:
             issues.append(Issue(grid.name, f"{dimension}s in {listed(stated, 'and')}", "one unit"))
-        elif own and not stated and not given:
+        elif columns and not stated and not given:
             expected = f"units in the headings or below them, such as {headings_example(dimension)}"
             issues.append(Issue(grid.name, f"no unit of {dimension}s", expected, f'give it: {dimension} = "..."'))
-        found.append((stated or [_given(given, dimension)])[0] if own else "")
+        chosen.append((stated or [_given(given, dimension)])[0] if columns else "")
         if stated and given and _given(given, dimension) != stated[0]:
             remarks.append(f"{dimension}s are in {stated[0]}, as the table says, not in {given}")
-    force, per = _split_unit(found[0], "force")
-    moment, of_moment = _split_unit(found[1], "moment")
+    force, per = _split_unit(chosen[0], "force")
+    moment, of_moment = _split_unit(chosen[1], "moment")
     if moment and per != of_moment:
-        found_units = f"forces in {found[0]} and moments in {found[1]}"
+        found_units = f"forces in {chosen[0]} and moments in {chosen[1]}"
         issues.append(Issue(grid.name, found_units, "both per length of line supports, or both resultants"))
     if issues:
         raise InputError(issues)
     systems = [unit for unit in (force, moment) if unit]
     if len(systems) == 2 and force not in moment.replace("kNm", "kN m").replace("Nm", "N m").split():
         remarks.append(f"forces are in {force} and moments in {moment}")
-    return (force, moment, found[2], per), remarks
+    return (force, moment, chosen[2], per), remarks
 
 
 def _split_unit(unit: str, dimension: str) -> tuple[str, str]:
@@ -286,7 +286,7 @@ class _RowReader:
         if stepped or _COMBINED.match(kind) or _UNSIGNED.match(kind) or (not kind and _COMBINED_NAME.fullmatch(case)):
             self.combined.add(case)
         if stepped or _UNSIGNED.match(kind):
-            said = " ".join(describe(each) for each in (kind, step) if each)
+            said = " ".join(describe(word) for word in (kind, step) if word)
             self.unsigned.setdefault(case, f"row {number}, {said}")
 
     def _cell(self, row: Sequence[Cell], role: Role) -> Cell:

@@ -46,7 +46,7 @@ class LoadsText(CaseText):
                 if name in data:
                     self.set(("reactions", name), data[name])
                 else:
-                    rest = {key: each for key, each in self.data["reactions"].items() if key != name}
+                    rest = {key: item for key, item in self.data["reactions"].items() if key != name}
                     self._remove(("reactions", name), rest, {**self.data, "reactions": rest})
 
     def _remove(self, path: Path, rest: Any, expected: dict[str, Any]) -> None:
@@ -58,9 +58,9 @@ class LoadsText(CaseText):
         editor = self.editor()
         if editor.layout.is_inline(("loads",)):
             return False
-        replacements = [each for n, load in changed.items() for each in editor.set(("loads", n), load)]
+        replacements = [replacement for n, load in changed.items() for replacement in editor.set(("loads", n), load)]
         rest = [load for n, load in enumerate(old) if n not in set(gone)]
-        replacements += [each for n in gone for each in editor.remove(("loads", n), rest)]
+        replacements += [replacement for n in gone for replacement in editor.remove(("loads", n), rest)]
         return self.apply(replacements, {**self.data, "loads": kept} if old else self.data)
 
 

@@ -89,8 +89,8 @@ def heading_unit(heading: object) -> str:
 def _unit_start(heading: object) -> int:
     """Return where the unit of a heading begins: in square brackets, or at its end in round ones if it is known."""
     said = str(heading)
-    found = re.search(r"\\?\[.*", said) or re.search(r"\(([^()]*)\)\s*$", said)
-    round_one = found is not None and found[0].startswith("(")
-    if found is None or (round_one and found[1].translate(_SIGNS).lower() not in _KNOWN):
+    bracket = re.search(r"\\?\[.*", said) or re.search(r"\(([^()]*)\)\s*$", said)
+    round_one = bracket is not None and bracket[0].startswith("(")
+    if bracket is None or (round_one and bracket[1].translate(_SIGNS).lower() not in _KNOWN):
         return len(said)
-    return found.start()
+    return bracket.start()

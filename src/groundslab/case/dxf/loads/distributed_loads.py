@@ -79,7 +79,7 @@ def read_lines_with_values(
             if value is None and width:
                 value, how = width, f" of {units.show(width, 'length')}, by {by}"
             elif value is not None and width and abs(value - width) > GAP:
-                said, is_drawn = (units.show(each, "length") for each in (value, width))
+                said, is_drawn = (units.show(size, "length") for size in (value, width))
                 why = f"a wall of {said} by its text or layer and of {is_drawn} by {by}: {said} counts"
                 context.report_entity(Source(mark.source.layer, "LAYER", ""), True, why)
         context.report_entity(mark.source, True, f"{role.replace('_', ' ').removesuffix('s')}{how}")

@@ -66,8 +66,8 @@ def find_quantity(words: str, dimension: str = "force") -> float | str | None:
 
 def _with_point(match: re.Match[str]) -> str:
     """Return a number that has commas as one with a decimal point; what is none stays as it is."""
-    found = readings(match[0])
-    return format_number(found[0]) if found else match[0]
+    numbers = readings(match[0])
+    return format_number(numbers[0]) if numbers else match[0]
 
 
 def _find_quantity(words: str, dimension: str) -> float | str | None:
@@ -159,14 +159,14 @@ def find_nearest_loads(
         within = reach * 0.5**halvings
         again = []
         for first in range(0, len(left), AT_ONCE):
-            some = left[first : first + AT_ONCE]
-            t, s = tree.query(lines[some], predicate="dwithin", distance=within[some])
+            chunk = left[first : first + AT_ONCE]
+            t, s = tree.query(lines[chunk], predicate="dwithin", distance=within[chunk])
             context.count_work(len(t), MOST_BESIDE, "pairs of texts and loads near each other", "write smaller texts")
-            count = np.bincount(t, minlength=len(some))
+            count = np.bincount(t, minlength=len(chunk))
             done = (count >= NEAREST) | (halvings == 0)
-            again.append(some[~done])
+            again.append(chunk[~done])
             keep = done[t]
-            t, s = some[t[keep]], s[keep]
+            t, s = chunk[t[keep]], s[keep]
             yield from _keep_nearest(shapely.distance(lines[t], every[s]), t, s)
         left = np.concatenate(again)
         if not len(left):
@@ -204,7 +204,7 @@ def assign_texts(marks: Sequence[PendingLoad], texts: Sequence[Label], role: str
         (marks[m].column, gap, marks[m].size, t, m)
         for gap, t, m in find_nearest_loads(texts, [mark.shape for mark in marks], context)
     )
-    given: set[int] = set()
+    assigned: set[int] = set()
     near: set[int] = set()
     beside: set[int] = set()  # of these the texts that only columns are near
     for of_column, *_, t, m in sorted(pairs):
@@ -213,9 +213,9 @@ def assign_texts(marks: Sequence[PendingLoad], texts: Sequence[Label], role: str
             continue
         near.add(t)
         beside |= {t} if of_column else set()
-        if t in given or (isinstance(text.value, float) and mark.values):
+        if t in assigned or (isinstance(text.value, float) and mark.values):
             continue
-        given.add(t)
+        assigned.add(t)
         mark.texts.append(text.words)
         if isinstance(text.value, float):
             mark.values.append(text.value)
@@ -225,7 +225,7 @@ def assign_texts(marks: Sequence[PendingLoad], texts: Sequence[Label], role: str
     for t, text in enumerate(texts):
         if isinstance(text.value, str):
             context.issue([text.source], text.start, describe(text.words), expected, text.value)
-        elif t in given:
+        elif t in assigned:
             continue
         elif text.value is None:
             context.report_entity(text.source, False, f"{describe(text.words)}, with no {what} next to it")

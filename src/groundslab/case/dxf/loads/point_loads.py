@@ -62,8 +62,8 @@ def read_point_loads(
         mark.shape = shape.buffer(mark.size) if mark.size else shape
     on_columns = list(_column_marks(columns, marks)) if texts else []
     labelling.assign_texts([*marks, *on_columns], texts, "point_loads", context)
-    found = [PointMark(*mark.point, mark.values[0], labelling.join_texts(mark)) for mark in on_columns if mark.values]
-    return [*(_point_mark(mark, context) for mark in marks), *found]
+    placed = [PointMark(*mark.point, mark.values[0], labelling.join_texts(mark)) for mark in on_columns if mark.values]
+    return [*(_point_mark(mark, context) for mark in marks), *placed]
 
 
 def _column_marks(

@@ -63,20 +63,20 @@ def _read_action(context: ReadContext, row: Row, group: Row | None) -> dict[str,
     action = _read_kind(context, row, group)
     if action != "variable":
         return {"action": action}
-    found: dict[str, Any] = {"action": "variable"}
-    types = [text(each, "loadtype") for each in (group, row) if each is not None]
-    categories = {name: known for name in types if (known := CATEGORIES.get(" ".join(name.lower().split())))}
+    values: dict[str, Any] = {"action": "variable"}
+    types = [text(source, "loadtype") for source in (group, row) if source is not None]
+    categories = {name: match for name in types if (match := CATEGORIES.get(" ".join(name.lower().split())))}
     if len(set(categories.values())) > 1:
         found_types = listed(map(describe, categories), "and")
         raise RowFault("loadtype", f"load types of group and case that differ: {found_types}", "one category of loads")
     category = next(iter(categories.values()), None)
     if category is not None:
-        found["category"] = category
+        values["category"] = category
     else:
         context.note(row, "no known category: psi of offices and dwellings until others are given")
     if group is not None and word(group, "relation") == "exclusive":
-        found["group"] = group.name
-    return found
+        values["group"] = group.name
+    return values
 
 
 def _read_kind(context: ReadContext, row: Row, group: Row | None) -> Kind:
@@ -87,7 +87,7 @@ def _read_kind(context: ReadContext, row: Row, group: Row | None) -> Kind:
     word(row, "actiontype", ("permanent", "variable", "accidental"), "permanent")
     columns = [("action type", row, "actiontype"), ("load type", row, "loadtype")]
     columns += [] if group is None else [("group of type", group, "loadgrouptype")]
-    said = {(what, text(each, key)): _KINDS[what].get(word(each, key), ()) for what, each, key in columns}
+    said = {(what, text(source, key)): _KINDS[what].get(word(source, key), ()) for what, source, key in columns}
     possible = [kinds for kinds in said.values() if kinds]
     words = " and ".join(f"{what} {describe(name)}" for (what, name), kinds in said.items() if kinds)
     usual = {kinds[0] for kinds in possible}
@@ -211,10 +211,10 @@ def _read_factors(context: ReadContext, row: Row, known: set[str]) -> dict[str, 
             raise RowFault(f"loadcasename{n}", f"the case {describe(name)}", "one of sheet StructuralLoadCase")
         spellings = (f"multiplier{n}", f"loadmultiplier{n}")
         multipliers = {context.number(row, key, "number", 1.0) for key in spellings if key in row.cells} or {1.0}
-        found = [context.number(row, f"loadfactor{n}", "number", 1.0) * each for each in sorted(multipliers)]
-        factor = float(f"{found[0]:.12g}")
-        if len(found) > 1 or name in factors:
-            both = listed([f"{each:g}" for each in (factors.get(name, found[-1]), factor)], "and")
+        values = [context.number(row, f"loadfactor{n}", "number", 1.0) * scale for scale in sorted(multipliers)]
+        factor = float(f"{values[0]:.12g}")
+        if len(values) > 1 or name in factors:
+            both = listed([f"{value:g}" for value in (factors.get(name, values[-1]), factor)], "and")
             raise RowFault(f"loadcasename{n}", f"the case {describe(name)} with the factors {both}", "one factor")
         factors[name] = factor
     return factors

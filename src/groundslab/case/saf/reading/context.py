@@ -138,10 +138,10 @@ class ReadContext:
 
     def _require_unit(self, row: Row, column: str, quantity: str) -> None:
         """Raise RowFault where a heading names a unit of the other system, or any other one."""
-        found, expected = row.units.get(column, ""), unit_of(quantity, self.imperial)
-        if found and expected and found.lower() != expected.lower():
+        unit, expected = row.units.get(column, ""), unit_of(quantity, self.imperial)
+        if unit and expected and unit.lower() != expected.lower():
             system = "Imperial" if self.imperial else "Metric"
-            raise RowFault(column, f"the unit {describe(found)}", f"{expected}, as the system of units is {system}")
+            raise RowFault(column, f"the unit {describe(unit)}", f"{expected}, as the system of units is {system}")
 
     def node(self, name: str) -> Vector:
         """Return the place of a node: x and y in plan, and its height [m]; raises RowFault."""
@@ -176,7 +176,7 @@ def text(row: Row, column: str) -> str:
 
 def word(row: Row, column: str, known: tuple[str, ...] = (), default: str = "") -> str:
     """Return the word in a column in lower case; raises RowFault for any other than those known."""
-    found = " ".join(text(row, column).lower().replace("-", " ").split()) or default
-    if known and found not in known:
-        raise RowFault(column, describe(found) if found else "nothing", listed(list(known)))
-    return found
+    said = " ".join(text(row, column).lower().replace("-", " ").split()) or default
+    if known and said not in known:
+        raise RowFault(column, describe(said) if said else "nothing", listed(list(known)))
+    return said

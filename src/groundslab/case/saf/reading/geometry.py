@@ -75,10 +75,10 @@ def _count_nodes(kind: str, kinds: int, nodes: int, closed: bool) -> int:
     """Return through how many nodes an edge runs."""
     if kind in _NODES:
         return _NODES[kind]
-    found = re.fullmatch(r"spline(?:[- ](\d{1,4}))?", kind)
-    if found and found[1] and int(found[1]) >= 2:
-        return int(found[1])
-    if found and kinds == 1:
+    match = re.fullmatch(r"spline(?:[- ](\d{1,4}))?", kind)
+    if match and match[1] and int(match[1]) >= 2:
+        return int(match[1])
+    if match and kinds == 1:
         return nodes + closed
     raise RowFault(
         "edges", describe(kind), "Line, Circular Arc, Parabolic Arc, Bezier or Spline and its number of nodes"

@@ -135,10 +135,10 @@ def _read_vertical(context: ReadContext, row: Row, quantity: str) -> dict[str, A
     way = word(row, f"u{letter}", (*_WAYS, "non linear"))
     if way == "non linear":
         raise RowFault(f"u{letter}", '"Non linear"', listed(list(_WAYS)), "such a support is given by hand")
-    found: dict[str, Any] = {}
+    values: dict[str, Any] = {}
     if "flexible" in way:
-        found["stiffness"] = context.number(row, f"stiffness{letter}", quantity)
-        if found["stiffness"] <= 0:
+        values["stiffness"] = context.number(row, f"stiffness{letter}", quantity)
+        if values["stiffness"] <= 0:
             raise RowFault(f"stiffness{letter}", text(row, f"stiffness{letter}"), "more than 0")
     elif stiff := context.number(row, f"stiffness{letter}", quantity, 0.0):
         unit = "N/m" if quantity == "point stiffness" else "N/m2"
@@ -148,8 +148,8 @@ def _read_vertical(context: ReadContext, row: Row, quantity: str) -> dict[str, A
     if "only" in way:
         # compression only keeps the member from moving against the axis, which goes up or down
         pushes = ("compression" in way) == (context.upwards > 0)
-        found["acts"] = "in compression" if pushes else "in tension"
-    return found
+        values["acts"] = "in compression" if pushes else "in tension"
+    return values
 
 
 def _read_point_support(context: ReadContext, row: Row, slab: Slab) -> list[PointSupport]:

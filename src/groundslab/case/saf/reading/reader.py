@@ -201,12 +201,12 @@ def _read_parts(context: ReadContext, slab: Slab) -> dict[str, Any]:
     ground, zones = read_ground(context, slab)
     supports, cases = read_supports(context, slab), read_cases(context)
     combinations, combine = read_combinations(context, cases)
-    found = read_loads(context, slab, cases, bool(beams)) if cases else Loads()
-    read_forces(context, slab, {case.name: case.action for case in cases}, found)
-    loads = [*found.finish(columns), *read_settlements(context, supports, cases)]
+    gathered = read_loads(context, slab, cases, bool(beams)) if cases else Loads()
+    read_forces(context, slab, {case.name: case.action for case in cases}, gathered)
+    loads = [*gathered.finish(columns), *read_settlements(context, supports, cases)]
     cases = [
         case.model_copy(update={"H_x": H[0], "H_y": H[1]})
-        if any(H := found.horizontal.get(case.name, [0.0, 0.0]))
+        if any(H := gathered.horizontal.get(case.name, [0.0, 0.0]))
         else case
         for case in cases
     ]
@@ -238,7 +238,9 @@ def _read_parts(context: ReadContext, slab: Slab) -> dict[str, Any]:
 def _remark_on_size(context: ReadContext, slab: Slab, columns: Sequence[Column]) -> str:
     """Return what of the size of a slab and its columns contradicts the unit of coordinates, nothing if they agree."""
     x, y = zip(*(place for edge in slab.edges for place in edge.points), strict=True)
-    widths = [width for each in columns for width in (each.width_x, each.width_y, each.diameter) if width is not None]
+    widths = [
+        width for column in columns for width in (column.width_x, column.width_y, column.diameter) if width is not None
+    ]
     unit = unit_of("length", context.imperial)
     return remark_on_size((max(x) - min(x), max(y) - min(y)), widths, unit, to_si(1.0, "length", context.imperial))
 
@@ -254,7 +256,7 @@ def _read_project(context: ReadContext) -> dict[str, Project]:
     said: dict[str, Any] = {"units": "US"} if context.imperial else {}
     if rows := context.rows("Project"):
         model = context.rows("Model")[0]
-        given = {"name": rows[0].name, "number": text(rows[0], "projectnr"), "author": text(model, "owner"),
+        words = {"name": rows[0].name, "number": text(rows[0], "projectnr"), "author": text(model, "owner"),
                  "revision": text(model, "revisionnumber")}  # fmt: skip
-        said |= {name: value for name, value in given.items() if value}
+        said |= {name: value for name, value in words.items() if value}
     return {"project": Project(**said)} if said else {}

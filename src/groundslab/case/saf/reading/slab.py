@@ -127,8 +127,8 @@ def choose_slab(context: ReadContext, name: str) -> Slab:
     else:
         on_ground = {text(row, "2dmember") for row in context.rows("StructuralSurfaceConnection")}
         lowest = min((height for _, height, _ in level.values()), default=0.0)
-        chosen = [each for each in level if each in on_ground]
-        chosen = chosen or [each for each, (_, height, _) in level.items() if height <= lowest + CLOSE]
+        chosen = [candidate for candidate in level if candidate in on_ground]
+        chosen = chosen or [candidate for candidate, (_, height, _) in level.items() if height <= lowest + CLOSE]
         if len(chosen) != 1:
             _refuse(context, f"{len(chosen) or 'no'} slabs to choose from", level)
     row, height, edges = level[chosen[0]]
@@ -153,14 +153,14 @@ def _note_others(context: ReadContext, row: Row) -> None:
 
 def _refuse(context: ReadContext, found: str, level: dict[str, tuple[Row, float, tuple[Edge, ...]]]) -> NoReturn:
     """Raise InputError with the slabs that there are."""
-    known = [f"{name} at {height:.4g} m" for name, (_, height, _) in level.items()]
-    expected = f"the name of a slab: {one_of(known)}" if known else "a horizontal surface member"
+    slabs = [f"{name} at {height:.4g} m" for name, (_, height, _) in level.items()]
+    expected = f"the name of a slab: {one_of(slabs)}" if slabs else "a horizontal surface member"
     raise InputError([*context.issues, Issue(f"{context.path}, sheet StructuralSurfaceMember", found, expected)])
 
 
 def _level_members(context: ReadContext) -> list[tuple[Row, float, tuple[Edge, ...]]]:
     """Return the horizontal members that can be read, with their heights and edges."""
-    found, faults = [], list[RowFault]()
+    members, faults = [], list[RowFault]()
     for row in context.rows("StructuralSurfaceMember"):
         try:
             edges = read_edges(context, row, closed=True)
@@ -169,11 +169,11 @@ def _level_members(context: ReadContext) -> list[tuple[Row, float, tuple[Edge, .
             continue
         height = edges[0].places[0][2]
         if row.name and all(edge.level(height) for edge in edges):
-            found.append((row, height, edges))
-    if faults and not found:
+            members.append((row, height, edges))
+    if faults and not members:
         where = f"{context.path}, sheet StructuralSurfaceMember, {faults[0].column}"
         context.add(Issue(where, faults[0].found, faults[0].expected, faults[0].hint))
-    return found
+    return members
 
 
 def read_edges(context: ReadContext, row: Row, closed: bool) -> tuple[Edge, ...]:
@@ -204,11 +204,11 @@ def read_thickness(context: ReadContext, row: Row) -> float:
         thickness = context.number(row, "thickness", "size")
     else:
         values = [part.rpartition(":")[2] for part in texts(row, "thickness")]
-        given = [context.number(Row(row.sheet, row.number, {"thickness": value}, row.units), "thickness", "size")
+        sizes = [context.number(Row(row.sheet, row.number, {"thickness": value}, row.units), "thickness", "size")
                  for value in values]  # fmt: skip
-        if not given:
+        if not sizes:
             raise RowFault("thickness", "nothing", "a thickness")
-        thickness = sum(given) / len(given)
+        thickness = sum(sizes) / len(sizes)
         context.note(row, f"a thickness that is {kind}, taken as its mean of {thickness:g} m")
     if thickness <= 0:
         raise RowFault("thickness", describe(text(row, "thickness")), "more than 0")
@@ -218,11 +218,11 @@ def read_thickness(context: ReadContext, row: Row) -> float:
 def read_material(context: ReadContext, row: Row) -> Material:
     """Return the material that a row names; what it does not say follows from codes, with a note."""
     name = text(row, "material").split(";")[0].strip()
-    found = next((each for each in context.rows("StructuralMaterial") if each.name == name), None)
-    if found is None:
+    material = next((candidate for candidate in context.rows("StructuralMaterial") if candidate.name == name), None)
+    if material is None:
         raise RowFault("material", f"the material {describe(name)}", "one of sheet StructuralMaterial")
-    with context.reading(found):
-        return _read_material(context, found)
+    with context.reading(material):
+        return _read_material(context, material)
     raise InputError(context.issues)
 
 
@@ -239,13 +239,13 @@ def _read_material(context: ReadContext, row: Row) -> Material:
         context.note(row, f"no E modulus, taken as {E / 1e9:.4g} GPa, E_cm of {quality} by EN 1992-1-1 Table 3.1")
     nu, G = context.number(row, "poissoncoefficient", "number", -1.0), context.number(row, "gmodulus", "modulus", 0.0)
     if not 0 <= nu < 0.5:
-        given = text(row, "poissoncoefficient")
-        shear = E / (2 * G) - 1 if G > 0 and not given else -1.0
+        ratio = text(row, "poissoncoefficient")
+        shear = E / (2 * G) - 1 if G > 0 and not ratio else -1.0
         nu = shear if 0 <= shear < 0.5 else NU
-        context.note(row, f"Poisson's ratio {given or 'not given'}, taken as {nu:.4g}")
+        context.note(row, f"Poisson's ratio {ratio or 'not given'}, taken as {nu:.4g}")
     elif G > 0 and abs(G * 2 * (1 + nu) / E - 1) > SHEAR:
-        found = f"E {E / 1e9:.4g} GPa, G {G / 1e9:.4g} GPa and Poisson's ratio {nu:.4g}"
-        context.note(row, f"{found}, where E / (2 (1 + nu)) is {E / (2 * (1 + nu)) / 1e9:.4g} GPa: G is not taken")
+        said = f"E {E / 1e9:.4g} GPa, G {G / 1e9:.4g} GPa and Poisson's ratio {nu:.4g}"
+        context.note(row, f"{said}, where E / (2 (1 + nu)) is {E / (2 * (1 + nu)) / 1e9:.4g} GPa: G is not taken")
     mass = context.number(row, "unitmass", "mass", 0.0)
     if mass <= 0:
         context.note(row, f"no unit mass, taken as {UNIT_WEIGHT / 1e3:g} kN/m3")
@@ -261,9 +261,9 @@ def slab_axes(context: ReadContext, slab: Slab) -> tuple[Vector, Vector, Vector]
     """Return the local axes of the slab in plan x, plan y and up: z is that of the file's vertical axis."""
     z = (0.0, 0.0, context.upwards)
     row = slab.row
-    given = (context.number(row, "coordinatex", "number", 1.0), context.number(row, "coordinatey", "number", 0.0),
+    local = (context.number(row, "coordinatex", "number", 1.0), context.number(row, "coordinatey", "number", 0.0),
              context.number(row, "coordinatez", "number", 0.0))  # fmt: skip
-    vector = tuple(dot(given, axis) for axis in context.axes)
+    vector = tuple(dot(local, axis) for axis in context.axes)
     length = math.hypot(vector[0], vector[1])
     first = (vector[0] / length, vector[1] / length, 0.0) if length > 0 else (1.0, 0.0, 0.0)
     if word(row, "lcstype").startswith("y"):

@@ -55,7 +55,7 @@ def read_plate(context: ReadContext, slab: Slab) -> Plate | None:
 
 def _make_plate(context: ReadContext, slab: Slab, openings: Sequence[AnyShape], zones: Sequence[Zone]) -> Plate | None:
     """Return the plate, a rectangle about the origin by its sides; None with an issue if it is none."""
-    found: list[Plate] = []
+    plates: list[Plate] = []
     with context.reading(slab.row):
         shape = to_shape(slab.edges)
         place: dict[str, Any] = {"outline": shape}
@@ -65,8 +65,8 @@ def _make_plate(context: ReadContext, slab: Slab, openings: Sequence[AnyShape], 
             name=slab.name, **place, openings=tuple(openings), zones=tuple(zones), thickness=slab.thickness,
             E=slab.material.E, nu=slab.material.nu, thermal_expansion=slab.material.expansion,
         )  # fmt: skip
-        found.append(plate)
-    return found[0] if found else None
+        plates.append(plate)
+    return plates[0] if plates else None
 
 
 def _of_slab(context: ReadContext, sheet: str, slab: Slab) -> list[Row]:
@@ -105,18 +105,18 @@ def _note_material(context: ReadContext, row: Row, material: Material, slab: Sla
 def read_cross_section(context: ReadContext, row: Row) -> CrossSection:
     """Return the cross-section that a row names; raises RowFault."""
     name = text(row, "crosssection")
-    found = next((each for each in context.rows("StructuralCrossSection") if each.name == name), None)
-    if found is None:
+    section = next((candidate for candidate in context.rows("StructuralCrossSection") if candidate.name == name), None)
+    if section is None:
         raise RowFault("crosssection", f"the cross-section {name or 'nothing'!r}", "one of StructuralCrossSection")
     model = context.rows("Model")
     axes = text(model[0], "lcsofcrosssection") if model else ""
     letters = re.findall(r"[XYZ]", axes.upper().replace("MINUS", ""))
     upright = letters[0].lower() if letters and letters[0] in "YZ" and letters[-1] == "X" else "z"
-    shape = word(found, "shape")
-    sizes = context.numbers(found, "parameters", "size") if shape in ("rectangle", "circle") else []
+    shape = word(section, "shape")
+    sizes = context.numbers(section, "parameters", "size") if shape in ("rectangle", "circle") else []
     if any(size <= 0 for size in sizes):
         raise RowFault("crosssection", f"sizes of {name} that are not above 0", "sizes above 0")
-    return CrossSection(shape, tuple(sizes), upright, found)
+    return CrossSection(shape, tuple(sizes), upright, section)
 
 
 def read_beams(context: ReadContext, slab: Slab) -> list[Beam]:
@@ -235,11 +235,11 @@ def member_axes(context: ReadContext, row: Row, ends: tuple[Vector, Vector]) -> 
     quantity = "number" if by_vector else "length"
     bare = Row(row.sheet, row.number, row.cells, {}) if by_vector else row
     a, b, c = (context.number(bare, f"coordinate{axis}", quantity, 0.0) for axis in "xyz")
-    given = context.turned((a, b, c))
+    vector = context.turned((a, b, c))
     if not by_vector:
-        given = (given[0] - start[0], given[1] - start[1], given[2] - start[2])
-    along = dot(given, x)
-    across = (given[0] - along * x[0], given[1] - along * x[1], given[2] - along * x[2])
+        vector = (vector[0] - start[0], vector[1] - start[1], vector[2] - start[2])
+    along = dot(vector, x)
+    across = (vector[0] - along * x[0], vector[1] - along * x[1], vector[2] - along * x[2])
     size = math.hypot(*across)
     if size < ALONG:
         raise RowFault("coordinatex", "a vector along the member", "one across it, which gives its local axes")

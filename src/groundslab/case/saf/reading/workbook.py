@@ -187,7 +187,7 @@ def _make_row(sheet: str, number: int, where: str, parts: Iterable[tuple[str, st
             raise InputError([Issue(where, f"a text of {len(value):,} letters: {describe(value)}", "a shorter one")])
         said = cells.setdefault(key, value), units.setdefault(key, unit)
         if said != (value, unit):
-            both = [describe(f"{cell_text(each)} {of}".strip()) for each, of in (said, (value, unit))]
+            both = [describe(f"{cell_text(cell)} {of}".strip()) for cell, of in (said, (value, unit))]
             issues.append(Issue(f"{where}, {key}", f"two columns that say {listed(both, 'and')}", "one"))
     return Row(sheet, number, cells, units, tuple(issues))
 

@@ -51,7 +51,9 @@ def write_cases(sheets: Sheets, model: Model) -> dict[str, str]:
 
 def by_material(model: Model, load: SelfWeight) -> bool:
     """Return whether a self-weight is that of all plates by the mass of their material, which a file gives once."""
-    first = next((each.unit_weight for each in model.loads if isinstance(each, SelfWeight) and not each.plate), None)
+    first = next(
+        (acting.unit_weight for acting in model.loads if isinstance(acting, SelfWeight) and not acting.plate), None
+    )
     return not load.plate and load.unit_weight == first
 
 

@@ -160,8 +160,8 @@ def _in_imperial_units(lines: list[list[Any]]) -> list[list[Any]]:
         for heading, unit in zip(lines[0], units, strict=True)
     ]
     # of edges, parts are given relative to their lengths
-    own = [u in IMPERIAL and not heading.startswith(_RELATIVE) for heading, u in zip(lines[0], units, strict=True)]
-    rows = (zip(row, units, own, strict=True) for row in lines[1:])
+    metric = [u in IMPERIAL and not heading.startswith(_RELATIVE) for heading, u in zip(lines[0], units, strict=True)]
+    rows = (zip(row, units, metric, strict=True) for row in lines[1:])
     return [headings, *([to_imperial(value, unit) if has else value for value, unit, has in row] for row in rows)]
 
 

@@ -256,19 +256,19 @@ def write_ground(
     from groundslab.geometry.areas import equal_area_polygon
 
     for number, zone in enumerate(model.soil_zones, start=1):
-        own = _stiffness_of(zone.ground, max(model.plate.sides))
+        subgrade = _stiffness_of(zone.ground, max(model.plate.sides))
         shape = equal_area_polygon(zone.shape.ring())
         plate = equal_area_polygon(model.plate.ring())
         rows = sheets.rows["StructuralSurfaceMemberRegion"]
-        same = [row["name"] for row, each in zip(rows, model.plate.zones, strict=False) if each.shape == zone.shape]
-        others = any(equal_area_polygon(each.shape.ring()).intersects(shape) for each in model.plate.zones)
-        if own is None or shape.difference(plate).area > NO_PART * shape.area or (others and not same):
+        same = [row["name"] for row, part in zip(rows, model.plate.zones, strict=False) if part.shape == zone.shape]
+        others = any(equal_area_polygon(part.shape.ring()).intersects(shape) for part in model.plate.zones)
+        if subgrade is None or shape.difference(plate).area > NO_PART * shape.area or (others and not same):
             sheets.leave(
                 f"soil_zones[{number}]", "written only with k0 and k1, on the plate and apart from other zones"
             )
             continue
         region = same[0] if same else _write_region(sheets, names[0], zone.shape, material, model.plate.thickness)
-        _write_connection(sheets, names[0], region, own, zone.ground.kind)
+        _write_connection(sheets, names[0], region, subgrade, zone.ground.kind)
 
 
 def _stiffness_of(ground: AnyGround, side: float) -> tuple[float, float] | None:

@@ -57,7 +57,7 @@ def write_model(
     if short != model:
         sheets.leave("names", f"those above {LONGEST_NAME} letters are shortened")
     model = short
-    forces = [replace(each, combination=_shorten(each.combination)) for each in forces]
+    forces = [replace(force, combination=_shorten(force.combination)) for force in forces]
     placed = place_patterns(model)
     if model.moves:
         sheets.leave("moves", "vehicles and racks are written as forces, each position as a case")
@@ -106,8 +106,8 @@ def _with_short_names(value: T) -> T:
     elif isinstance(value, tuple):
         shorter = tuple(map(_with_short_names, value))
     elif isinstance(value, Section):
-        values = {name: _with_short_names(each) for name, each in value}
-        changed = {name: each for name, each in values.items() if each != getattr(value, name)}
+        values = {name: _with_short_names(item) for name, item in value}
+        changed = {name: item for name, item in values.items() if item != getattr(value, name)}
         shorter = value.model_copy(update=changed) if changed else value
     return cast("T", shorter)
 

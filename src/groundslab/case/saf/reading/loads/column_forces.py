@@ -55,7 +55,7 @@ def _of_cases(
             left["of load cases that are not in the file"] += 1
         else:
             rows[member, case].append(row)
-            place = (member, case, *(text(row, each) for each in ("edge", "sectionat", "index")))
+            place = (member, case, *(text(row, column) for column in ("edge", "sectionat", "index")))
             if (other := places.setdefault(place, row)).cells != row.cells:
                 found = f"{member} in {case} again, as in row {other.number}, {difference(other, row)}"
                 context.add(Issue(context.where(row), found, "each section once"))
@@ -144,8 +144,8 @@ def _upright_axis(context: ReadContext, row: Row, edge: Edge) -> str:
     if any(edge.bulges):
         raise RowFault("edges", "forces of a curved wall", "a plane wall")
     bare = Row(row.sheet, row.number, row.cells, {})
-    given = (context.number(bare, f"coordinate{axis}", "number", 0.0) for axis in "xyz")
-    x, y, up = context.turned(tuple(given))  # type: ignore[arg-type]
+    vector = (context.number(bare, f"coordinate{axis}", "number", 0.0) for axis in "xyz")
+    x, y, up = context.turned(tuple(vector))  # type: ignore[arg-type]
     quarters = context.number(row, "lcsrotation", "angle", 0.0) / (math.pi / 2)
     level, upright = abs(up) <= ALONG * math.hypot(x, y), math.hypot(x, y) <= ALONG * abs(up)
     if level == upright or abs(quarters - round(quarters)) > ALONG:

@@ -43,8 +43,8 @@ class Loads:
 
     def finish(self, columns: Sequence[Column]) -> list[AnyLoad]:
         """Return all loads, those at points last, on the columns that stand there."""
-        known = {(column.x, column.y): column.name for column in columns}
-        return [*self.loads, *(_make_point_load(*key, values, known) for key, values in self.points.items())]
+        names = {(column.x, column.y): column.name for column in columns}
+        return [*self.loads, *(_make_point_load(*key, values, names) for key, values in self.points.items())]
 
 
 def _make_point_load(case: str, place: Place, values: dict[str, Any], columns: dict[Place, str]) -> PointLoad:
@@ -80,7 +80,7 @@ def read_vector(
         bare = [Row(row.sheet, row.number, {key: part}, row.units) for part in parts]
         if len(parts) != 3:
             raise RowFault(key, describe(text(row, key)), "three numbers such as (10;10;0)")
-        x, y, z = (context.number(each, key, quantity) for each in bare)
+        x, y, z = (context.number(component, key, quantity) for component in bare)
     else:
         size = context.number(row, f"{value}{number}", quantity)
         x, y, z = (size if direction == axis else 0.0 for axis in "xyz")

@@ -70,8 +70,8 @@ def read_free_surface_action(context: ReadContext, row: Row, slab: Slab, found: 
         return
     values = _corner_values(context, row)
     q, (gx, gy), about = _plane(row, corners, values, word(row, "distribution", default="uniform"))
-    own = _own_axes(corners, up) if word(row, "coordinatesystem") == "local" else slab_axes(context, slab)
-    unit = read_vector(context, Row(row.sheet, row.number, {**row.cells, "value": 1.0}, {}), "number", own)
+    axes = _own_axes(corners, up) if word(row, "coordinatesystem") == "local" else slab_axes(context, slab)
+    unit = read_vector(context, Row(row.sheet, row.number, {**row.cells, "value": 1.0}, {}), "number", axes)
     case, down = text(row, "loadcase"), -unit[2]
     # the mean of a linear pressure is that at the centroid
     mean = q + gx * (part.centroid.x - about[0]) + gy * (part.centroid.y - about[1])
@@ -107,17 +107,17 @@ def _own_axes(corners: Sequence[Place], up: float) -> Axes:
 
 def _corner_values(context: ReadContext, row: Row) -> list[tuple[int, float]]:
     """Return the pressures of a free load by the number of the corner, 0 where it is the same everywhere."""
-    found = []
+    pressures = []
     for part in texts(row, "q"):
         name, _, value = part.rpartition(":")
         number = name.strip().upper().removeprefix("C")
         if name and not number.isdigit():
             raise RowFault("q", describe(part), "a pressure, or some such as C1:-5; C2:-7")
         bare = Row(row.sheet, row.number, {"q": value}, row.units)
-        found.append((int(number) if name else 0, context.number(bare, "q", "pressure")))
-    if not found:
+        pressures.append((int(number) if name else 0, context.number(bare, "q", "pressure")))
+    if not pressures:
         raise RowFault("q", "nothing", "a pressure")
-    return found
+    return pressures
 
 
 def _plane(

@@ -41,9 +41,9 @@ from groundslab.schema.wording import describe
 
 def read_loads(context: ReadContext, slab: Slab, cases: Sequence[LoadCase], beams: bool) -> Loads:
     """Return the loads of the slab; what acts elsewhere in the building is left."""
-    found = Loads()
+    loads = Loads()
     names = {case.name for case in cases}
-    _read_self_weight(context, slab, found, beams)
+    _read_self_weight(context, slab, loads, beams)
     readers = {
         "StructuralPointAction": _read_point_action,
         "StructuralPointActionFree": _read_point_action,
@@ -61,8 +61,8 @@ def read_loads(context: ReadContext, slab: Slab, cases: Sequence[LoadCase], beam
                 case = text(row, "loadcase")
                 if case not in names:
                     raise RowFault("loadcase", f"the case {describe(case)}", "one of sheet StructuralLoadCase")
-                reader(context, row, slab, found)
-    return found
+                reader(context, row, slab, loads)
+    return loads
 
 
 def _read_self_weight(context: ReadContext, slab: Slab, found: Loads, beams: bool) -> None:
@@ -236,13 +236,13 @@ def _read_temperature(context: ReadContext, row: Row, slab: Slab, found: Loads) 
 
 def read_settlements(context: ReadContext, supports: Sequence[AnySupport], cases: Sequence[LoadCase]) -> list[AnyLoad]:
     """Return the settlements that are forced on the slab's supports at points."""
-    known, names = {support.name for support in supports if support.kind == "point"}, {case.name for case in cases}
+    at_points, names = {support.name for support in supports if support.kind == "point"}, {case.name for case in cases}
     upright = "xyz"[max(range(3), key=lambda axis: abs(context.axes[2][axis]))]
     loads = list[AnyLoad]()
     for row in context.rows("StructuralPointSupportDeformation"):
         with context.reading(row):
             support, case = text(row, "pointsupport"), text(row, "loadcase")
-            if support not in known:
+            if support not in at_points:
                 context.leave(row, f"it moves {support or 'nothing'}, which does not support the slab")
             elif word(row, "direction", ("x", "y", "z", "rx", "ry", "rz")) != upright:
                 context.leave(row, "it moves its support sideways, or turns it")
