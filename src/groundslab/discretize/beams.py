@@ -43,15 +43,15 @@ def beams_on(model: Model, plan: Layout, sections: list[tuple[float, float, floa
         return Beams(none, none[:, 0], zero, zero, np.zeros((0, 4)), zero, hinges, hinges[:, 0], none[:, 0], along)
     every = _whole_sides(plan)
     parts = [_along(plan, every, beam, spans_as_segments(beam, model.plate, model.plates)) for beam in members]
-    sides, start, length, angles = (np.concatenate(each) for each in zip(*parts, strict=True))
-    number = np.repeat(np.arange(len(parts)), [len(own) for own, *_ in parts])
+    sides, start, length, angles = (np.concatenate(column) for column in zip(*parts, strict=True))
+    number = np.repeat(np.arange(len(parts)), [len(pieces) for pieces, *_ in parts])
     beside = _sections_beside(plan, sides, np.array([t for _, _, t in sections]))
     rigidity, eccentricity = np.empty((len(sides), 4)), np.zeros(len(sides))
     released = np.zeros((len(sides), 2), dtype=bool)
     for which, section in np.unique(np.column_stack([number, beside]), axis=0).tolist():
-        own = (number == which) & (beside == section)
-        rigidity[own] = members[which].rigidities(*sections[section])
-        eccentricity[own] = members[which].eccentricity(sections[section][2])
+        mask = (number == which) & (beside == section)
+        rigidity[mask] = members[which].rigidities(*sections[section])
+        eccentricity[mask] = members[which].eccentricity(sections[section][2])
     for which, beam in enumerate(members):
         released[np.flatnonzero(number == which)[[0, -1]], [0, 1]] = [end == "hinged" for end in beam.joined]
     wall = np.array(model.wall_of_members)[number]
@@ -73,8 +73,8 @@ def _go_on(sides: Integers, angles: Array) -> Flags:
 
 def _between_turns(angle: Array) -> Array:
     """Return angles [rad] between half a turn to the right and half a turn to the left."""
-    found: Array = (angle + np.pi) % (2 * np.pi) - np.pi
-    return found
+    turned: Array = (angle + np.pi) % (2 * np.pi) - np.pi
+    return turned
 
 
 def _parts_of_walls(wall: Integers, sides: Integers, angles: Array, smooth: Flags) -> tuple[Integers, Array]:
@@ -88,8 +88,8 @@ def _parts_of_walls(wall: Integers, sides: Integers, angles: Array, smooth: Flag
     # both ends of each part at their nodes: its piece, which end of it, and the direction out of the part
     ends = defaultdict[int, list[tuple[int, int, float]]](list)
     for number in np.unique(part[part >= 0]):
-        own = np.flatnonzero(part == number)
-        for piece, end in ((own[0], 0), (own[-1], 1)):
+        pieces = np.flatnonzero(part == number)
+        for piece, end in ((pieces[0], 0), (pieces[-1], 1)):
             ends[int(sides[piece, end])].append((piece, end, angles[piece, end] + (0.0 if end else np.pi)))
     for (piece, end, out), (other, other_end, other_out) in chain(*(combinations(met, 2) for met in ends.values())):
         straight_on = abs(_between_turns(np.array(out - other_out + np.pi))) <= KINK
@@ -120,16 +120,16 @@ def _sections_of_walls(
     along *= sign[:, None, None] / np.linalg.norm(along, axis=2, keepdims=True)
     taken: dict[int, Flags] = {}
     for number in np.unique(part[part >= 0]):
-        some = np.flatnonzero(part == number)
-        own = np.unique(sides[some])
-        free = next(f for f in count(fields) if f not in taken or not taken[f][own].any())
-        taken.setdefault(free, np.zeros(len(nodes), dtype=bool))[own] = True
-        field[some] = free
+        pieces = np.flatnonzero(part == number)
+        numbers = np.unique(sides[pieces])
+        free = next(f for f in count(fields) if f not in taken or not taken[f][numbers].any())
+        taken.setdefault(free, np.zeros(len(nodes), dtype=bool))[numbers] = True
+        field[pieces] = free
         # one direction at a node, of both pieces there
-        places, place = np.unique(met[sides[some]], return_inverse=True)
+        places, place = np.unique(met[sides[pieces]], return_inverse=True)
         mean = np.zeros((len(places), 2))
-        np.add.at(mean, place.reshape(-1, 3), along[some])
-        along[some] = (mean / np.linalg.norm(mean, axis=1, keepdims=True))[place.reshape(-1, 3)]
+        np.add.at(mean, place.reshape(-1, 3), along[pieces])
+        along[pieces] = (mean / np.linalg.norm(mean, axis=1, keepdims=True))[place.reshape(-1, 3)]
     return field, along
 
 
@@ -163,16 +163,16 @@ def _across_joints(plan: Layout, sides: Integers, number: Integers, wall: Intege
     starts = np.flatnonzero(np.diff(line, prepend=-1))
     before[starts] = np.append(starts[1:], len(sides))[: len(starts)] - 1  # of a closed one its end, of others too
     end, start = sides[before, 1], sides[after, 0]
-    found = np.flatnonzero((end != start) & (plan.source[end] == plan.source[start]))
-    return before[found], after[found]
+    joints = np.flatnonzero((end != start) & (plan.source[end] == plan.source[start]))
+    return before[joints], after[joints]
 
 
 def with_turning(present: Flags, beams: Beams) -> Flags:
     """Return which unknowns exist (n, F), with theta of walls."""
-    found = np.pad(present, ((0, 0), (0, max(0, int(beams.theta.max(initial=0)) + 1 - present.shape[1]))))
-    some = beams.deep
-    found[beams.sides[some], beams.theta[some, None]] = True
-    return found
+    extended = np.pad(present, ((0, 0), (0, max(0, int(beams.theta.max(initial=0)) + 1 - present.shape[1]))))
+    deep = beams.deep
+    extended[beams.sides[deep], beams.theta[deep, None]] = True
+    return extended
 
 
 def with_in_plane(model: Model, present: Flags, plan: Layout, beams: Beams) -> tuple[Flags, tuple[int, ...]]:
@@ -184,15 +184,15 @@ def with_in_plane(model: Model, present: Flags, plan: Layout, beams: Beams) -> t
     along, free = np.zeros(n, dtype=bool), np.ones(n, dtype=bool)
     along[beams.sides[eccentric, 2]] = True
     free[find_hanging(plan.mesh.elements)[:, 0]] = False
-    found = np.zeros((n, 2), dtype=bool)
+    moving = np.zeros((n, 2), dtype=bool)
     parts = [np.unique(elements[plan.plate == number]) for number in np.unique(plan.plate[along[elements].any(axis=1)])]
-    parts = [own[free[own]] for own in parts]
-    found[np.concatenate(parts)] = True
+    parts = [nodes[free[nodes]] for nodes in parts]
+    moving[np.concatenate(parts)] = True
     fields = present.shape[1]
     in_plane = (fields, fields + 1)
     across = members_across(model, plan, beams, in_plane, fields + 2)
-    found &= ~held(plan.mesh.nodes, parts, across.pairs[across.shared[:, fields]])
-    return np.hstack([present, found]), in_plane
+    moving &= ~held(plan.mesh.nodes, parts, across.pairs[across.shared[:, fields]])
+    return np.hstack([present, moving]), in_plane
 
 
 def _whole_sides(plan: Layout) -> Integers:
@@ -210,7 +210,7 @@ def _along(
     [rad] where each begins and ends, (b, 2).
     """
     mesh = plan.mesh
-    found, starts, lengths, angles, before, left_over = [], [], [], [], 0.0, list(spans)
+    pieces, starts, lengths, angles, before, left_over = [], [], [], [], 0.0, list(spans)
     for edge in beam.edges:
         sides = select_along(mesh, every, [edge])
         part = _parts(edge, mesh.nodes[sides[:, 2]])
@@ -227,7 +227,7 @@ def _along(
         xy = mesh.nodes[sides]
         alone = sides[:, 2] == sides[:, 0]
         length = np.where(alone, np.linalg.norm(xy[:, 1] - xy[:, 0], axis=1), lengths_of(xy))
-        found.append(sides)
+        pieces.append(sides)
         starts.append(before + np.cumsum(length) - length)
         lengths.append(length)
         # between pieces of one edge there is no corner, whatever the mesh makes of an arc
@@ -239,7 +239,7 @@ def _along(
     if abs(before - beam.length) > MET * beam.length:
         said = f"sides of elements along {before:g} m of a line of {beam.length:g} m"
         raise InputError([Issue(f"beam {quote(beam.name)}", said, "a mesh that meets every beam")])
-    return np.concatenate(found), np.concatenate(starts), np.concatenate(lengths), np.concatenate(angles)
+    return np.concatenate(pieces), np.concatenate(starts), np.concatenate(lengths), np.concatenate(angles)
 
 
 def _ends_of_span(plan: Layout, span: Segment) -> list[int]:

@@ -29,9 +29,9 @@ def building_on(model: Model, plan: Layout, element: plate.PlateElement, present
     if model.building is None:
         return None
     every = bases_of(model)
-    K, each = stiffness_of(model), _motions_of_each(model)
+    K, per_base = stiffness_of(model), _motions_of_each(model)
     length = max(model.sides)
-    base, way = np.divmod(np.arange(len(K)), each)
+    base, way = np.divmod(np.arange(len(K)), per_base)
     spread = _spread(every, plan, element, base, way, length)
     host, field = _hosts(plan, len(base), present.shape[1])
     K = _of_motions(K, np.where(way == 0, 1.0, length))
@@ -45,17 +45,17 @@ def motion_stiffness(model: Model, building: Building, storeys: int) -> Array:
 
 def _of_motions(K: Array, lever: Array) -> Array:
     """Return the stiffness between motions, slopes by what they settle at a lever [m]."""
-    found: Array = K / np.outer(lever, lever)
-    return found
+    scaled: Array = K / np.outer(lever, lever)
+    return scaled
 
 
 def with_building(present: Flags, building: Building | None) -> Flags:
     """Return which unknowns exist (n, F), with those of a building."""
     if building is None:
         return present
-    found = np.pad(present, ((0, 0), (0, int(building.field.max()) + 1 - present.shape[1])))
-    found[building.host, building.field] = True
-    return found
+    extended = np.pad(present, ((0, 0), (0, int(building.field.max()) + 1 - present.shape[1])))
+    extended[building.host, building.field] = True
+    return extended
 
 
 def bases_of(model: Model) -> tuple[Base, ...]:
@@ -110,8 +110,8 @@ def _spread(
 def _motions_of_each(model: Model) -> int:
     """Return how many motions each base has: settlement alone, or slopes, too."""
     assert model.building is not None
-    given = model.building
-    return len(given.matrix) // len(given.nodes) if given.matrix else FIELDS
+    building = model.building
+    return len(building.matrix) // len(building.nodes) if building.matrix else FIELDS
 
 
 def stiffness_of(model: Model, storeys: int | None = None) -> Array:
@@ -119,13 +119,13 @@ def stiffness_of(model: Model, storeys: int | None = None) -> Array:
 
     What resists motions of everything together is rounding, or digits of a printed matrix, and is left out.
     """
-    given = model.building
-    assert given is not None
+    above = model.building
+    assert above is not None
     every = bases_of(model)
-    K = given.K if given.matrix else given.stiffness * condensed(given, every, storeys or len(given.storeys))
+    K = above.K if above.matrix else above.stiffness * condensed(above, every, storeys or len(above.storeys))
     # of bases in a row that only settle a tilt across it is none
     directions, sizes, _ = np.linalg.svd(motions_of(every, _motions_of_each(model)), full_matrices=False)
     Q = directions[:, sizes > IN_A_ROW * sizes.max()]
     rest = np.eye(len(K)) - Q @ Q.T
-    found: Array = rest @ K @ rest
-    return (found + found.T) / 2
+    projected: Array = rest @ K @ rest
+    return (projected + projected.T) / 2

@@ -63,8 +63,8 @@ def ground_bearing(
         return gaps
     assert isinstance(ground, Column)
     node, depth, stiffness, area = bottoms(plan, found, ground)
-    there = unknown[node, W] >= 0
-    node, depth, stiffness, area = (each[there] for each in (node, depth, stiffness, area))
+    mask = unknown[node, W] >= 0
+    node, depth, stiffness, area = (values[mask] for values in (node, depth, stiffness, area))
     law = make_bearings(unknown[node, W], -1.0, gap[node] + found.depth[depth], stiffness, limit * area)
     return concatenate(gaps, _place(law, node, W, depth=depth))
 
@@ -90,8 +90,8 @@ def support_bearing(model: Model, plan: Layout, unknown: Integers) -> Bearing:
                           for field in (BETA_X, BETA_Y)]  # fmt: skip
         else:
             nodes, share = nodes_along(plan, support)
-        there = unknown[nodes, W] >= 0
-        nodes, share = nodes[there], share[there]
+        mask = unknown[nodes, W] >= 0
+        nodes, share = nodes[mask], share[mask]
         sign = 1.0 if support.acts == "in tension" else -1.0
         law = make_bearings(
             unknown[nodes, W],
@@ -119,7 +119,7 @@ class JointLine:
 
 def joint_lines(model: Model, plan: Layout, surfaces: int) -> list[JointLine]:
     """Return the joints of a model on its mesh; fields of slips follow those of the ground's surfaces."""
-    names, found = [plate.name for plate in model.every_plate], list[JointLine]()
+    names, lines = [plate.name for plate in model.every_plate], list[JointLine]()
     for joint in model.joints:
         sides = [names.index(name) for name in joint.between]
         pairs, length = _along_joint(plan, *sides)
@@ -127,10 +127,10 @@ def joint_lines(model: Model, plan: Layout, surfaces: int) -> list[JointLine]:
         if abs(length.sum() - wanted) > MET * wanted:
             said = f"sides of elements along {length.sum():g} m of a line of {wanted:g} m"
             raise InputError([Issue("joints", said, "a mesh that meets every joint")])
-        taken = {each.slip for each in found if np.isin(each.pairs, pairs).any()}
+        taken = {line.slip for line in lines if np.isin(line.pairs, pairs).any()}
         slip = next(field for field in count(TOP + surfaces) if field not in taken) if play_of(joint) else 0
-        found.append(JointLine(pairs, length, slip))
-    return found
+        lines.append(JointLine(pairs, length, slip))
+    return lines
 
 
 def make_links(
@@ -141,7 +141,7 @@ def make_links(
     Where the ground carries no shear its surface may step, and does. Members that go on hold what they share.
     """
     fields = members.shared.shape[1]
-    own = np.eye(fields, dtype=bool)
+    basis = np.eye(fields, dtype=bool)
     none = np.zeros((0, 2), dtype=np.int64), np.zeros((0, fields), dtype=bool), np.zeros(0)
     parts = [(*none, np.zeros(0, dtype=np.int64), np.zeros(0))]
 
@@ -150,26 +150,26 @@ def make_links(
 
     for number, (joint, line) in enumerate(zip(model.joints, lines, strict=True)):
         k = stiffness_of(joint) * line.length
-        add(line.pairs, own[W] | own[line.slip] if line.slip else own[W], k, number, line.length)
+        add(line.pairs, basis[W] | basis[line.slip] if line.slip else basis[W], k, number, line.length)
     again = np.flatnonzero(plan.source != np.arange(len(plan.source)))
     if shear and len(again):
         pairs = np.column_stack([plan.source[again], again])
-        for added in (own[W] | own[TOP], *own[TOP + 1 : TOP + surfaces]):
+        for added in (basis[W] | basis[TOP], *basis[TOP + 1 : TOP + surfaces]):
             add(pairs, added, np.full(len(pairs), np.inf), SURFACE, np.zeros(len(pairs)))
     hinged = _hinges(model, lines)
     for field in np.flatnonzero(members.shared.any(axis=0)):
         pairs = members.pairs[members.shared[:, field]]
         if field == W:
             pairs = np.array([pair for pair in pairs.tolist() if sorted(pair) not in hinged], np.int64).reshape(-1, 2)
-        add(pairs, own[field], np.full(len(pairs), np.inf), MEMBER, np.zeros(len(pairs)))
-    return Links(*(np.concatenate(each) for each in zip(*parts, strict=True)))
+        add(pairs, basis[field], np.full(len(pairs), np.inf), MEMBER, np.zeros(len(pairs)))
+    return Links(*(np.concatenate(column) for column in zip(*parts, strict=True)))
 
 
 def _hinges(model: Model, lines: list[JointLine]) -> list[list[int]]:
     """Return the pairs of nodes that hinges hold together, each the lower one first."""
     hinges = [line.pairs for joint, line in zip(model.joints, lines, strict=True) if joint.kind == "hinge"]
-    found: list[list[int]] = np.sort(np.concatenate([np.zeros((0, 2), dtype=np.int64), *hinges]), axis=1).tolist()
-    return found
+    pairs: list[list[int]] = np.sort(np.concatenate([np.zeros((0, 2), dtype=np.int64), *hinges]), axis=1).tolist()
+    return pairs
 
 
 def joined_nodes(
@@ -279,14 +279,14 @@ def _without_doubles(model: Model, b: Bearing) -> Bearing:
 
 def fixed_nodes(model: Model, plan: Layout) -> Integers:
     """Return the nodes at which supports keep the plate from turning."""
-    found = [np.zeros(0, dtype=np.int64)]
+    nodes = [np.zeros(0, dtype=np.int64)]
     for support in model.supports:
         if support.rotation == "fixed":
             if not isinstance(support, LineSupport):
-                found.append(np.array([node_at(plan, support.x, support.y)]))
+                nodes.append(np.array([node_at(plan, support.x, support.y)]))
             else:
-                found.append(nodes_along(plan, support)[0])
-    return unique_integers(np.concatenate(found))[0]
+                nodes.append(nodes_along(plan, support)[0])
+    return unique_integers(np.concatenate(nodes))[0]
 
 
 def node_at(plan: Layout, x: float, y: float) -> int:

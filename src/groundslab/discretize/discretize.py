@@ -121,8 +121,8 @@ def _plates(model: Model, plan: Layout, element: plate.PlateElement, in_plane: b
 
 def _with_shear_factors(model: Model) -> list[tuple[float, float, float, float]]:
     """Return E [Pa], nu, thickness [m] and shear factor of each section."""
-    factors = [each.shear_factor for each in model.every_plate for _ in (each, *each.zones)]
-    return [(*own, factor) for own, factor in zip(materials(model), factors, strict=True)]
+    factors = [slab.shear_factor for slab in model.every_plate for _ in (slab, *slab.zones)]
+    return [(*material, factor) for material, factor in zip(materials(model), factors, strict=True)]
 
 
 def _contact(model: Model, gap: Array, below: Depths, bearing: Bearing) -> ContactConditions:
@@ -148,12 +148,12 @@ def _cases(
 ) -> tuple[Loading, ...]:
     """Return the loading of each case, that of a similar model if its loads are the same; fields is F."""
     if like is not None:
-        known, problem = like
+        earlier, problem = like
         if (
             problem.mesh is plan.mesh
             and problem.plate.element is element
             and problem.load.shape[1] == fields
-            and all(getattr(known, name) == getattr(model, name) for name in ACTING)
+            and all(getattr(earlier, name) == getattr(model, name) for name in ACTING)
         ):
             return problem.cases
     acting = model if loaded else model.model_copy(update={"cases": (), "loads": ()})
@@ -207,11 +207,11 @@ def _present(model: Model, plan: Layout, element: plate.PlateElement, surfaces: 
 def _with_slips(present: Flags, lines: list[JointLine]) -> Flags:
     """Return which unknowns exist (n, F), with the slips of joints that have play."""
     fields = max([present.shape[1], *(line.slip + 1 for line in lines)])
-    found = np.pad(present, ((0, 0), (0, fields - present.shape[1])))
+    extended = np.pad(present, ((0, 0), (0, fields - present.shape[1])))
     for line in lines:
         if line.slip:
-            found[line.pairs[:, 1], line.slip] = True
-    return found
+            extended[line.pairs[:, 1], line.slip] = True
+    return extended
 
 
 def _numbered(model: Model, plan: Layout, lines: list[JointLine], members: MembersAcross, present: Flags) -> Integers:

@@ -42,11 +42,11 @@ class _Nodes:
 
     def places(self, bases: tuple[Base, ...], heights: Array) -> Array:
         """Return where they are (n, 3) [m], z downwards; heights (s + 1,) are those of floors above the bases [m]."""
-        found = np.zeros((len(self.top) + int(self.top.sum()), 3))
-        for base, own in enumerate(bases):
-            for storey in range(int(self.top[base]) + 1):
-                found[self.at(base, storey)] = [*own.place, -heights[storey]]
-        return found
+        places = np.zeros((len(self.top) + int(self.top.sum()), 3))
+        for i, base in enumerate(bases):
+            for storey in range(int(self.top[i]) + 1):
+                places[self.at(i, storey)] = [*base.place, -heights[storey]]
+        return places
 
 
 @lru_cache(maxsize=32)
@@ -76,10 +76,10 @@ def _lies_on(beam: BuildingBeams, storey: int) -> bool:
 
 def _columns(building: Building, bases: tuple[Base, ...], nodes: _Nodes) -> Iterator[_Member]:
     """Yield the columns of a frame and its walls, storey by storey up to where beams join them."""
-    for base, own in enumerate(bases):
-        for storey in range(1, int(nodes.top[base]) + 1):
-            across, properties = _section_of(building, own, storey)
-            yield _Member((nodes.at(base, storey - 1), nodes.at(base, storey)), across, properties, np.zeros((2, 3)))
+    for i, base in enumerate(bases):
+        for storey in range(1, int(nodes.top[i]) + 1):
+            across, properties = _section_of(building, base, storey)
+            yield _Member((nodes.at(i, storey - 1), nodes.at(i, storey)), across, properties, np.zeros((2, 3)))
 
 
 def _beams(
@@ -105,9 +105,9 @@ def _section_of(building: Building, base: Base, storey: int) -> tuple[Array, Mem
     column = base.column
     assert column is not None
     x = np.array([*direction_at(column.angle), 0.0])
-    for own in building.columns:
-        if base.name in own.names and (own.storeys is None or storey in own.storeys):
-            return x, own.section.properties
+    for group in building.columns:
+        if base.name in group.names and (group.storeys is None or storey in group.storeys):
+            return x, group.section.properties
     if column.diameter is not None:
         return x, CircularMember(diameter=column.diameter).properties
     assert column.width_x is not None
@@ -117,13 +117,13 @@ def _section_of(building: Building, base: Base, storey: int) -> tuple[Array, Mem
 
 def _as_members(every: list[_Member], E: float, G: float) -> Members:
     """Return members as arrays, for E and G [Pa]."""
-    own = [each.properties for each in every]
+    properties = [member.properties for member in every]
     return Members(
-        nodes=np.array([each.nodes for each in every], dtype=np.int64).reshape(-1, 2),
-        arms=np.array([each.arms for each in every]).reshape(-1, 2, 3),
-        across=np.array([each.across for each in every]).reshape(-1, 3),
-        EA=E * np.array([each.A for each in own]),
-        EI=E * np.array([each.I for each in own]).reshape(-1, 2),
-        GJ=G * np.array([each.J for each in own]),
-        GA=G * np.array([each.A_v for each in own]),
+        nodes=np.array([member.nodes for member in every], dtype=np.int64).reshape(-1, 2),
+        arms=np.array([member.arms for member in every]).reshape(-1, 2, 3),
+        across=np.array([member.across for member in every]).reshape(-1, 3),
+        EA=E * np.array([section.A for section in properties]),
+        EI=E * np.array([section.I for section in properties]).reshape(-1, 2),
+        GJ=G * np.array([section.J for section in properties]),
+        GA=G * np.array([section.A_v for section in properties]),
     )

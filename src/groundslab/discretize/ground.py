@@ -94,27 +94,27 @@ def ground_under(
     if parts is None or len(tables) == 1:
         only = _make_ground(model.ground, tables[0])
         return only, none if isinstance(only, Soil) else _constants(model.ground, tables[0])
-    found, share = _make_ground(model.ground, tables), _share(parts, mesh, plate_elements)
-    if isinstance(found, Soil):
-        many = found.gamma is None and not factors and len(list_combinations(model)) > 1
-        return replace(found, parts=parts, area_fraction=share, table={} if many else None), none
+    soil, share = _make_ground(model.ground, tables), _share(parts, mesh, plate_elements)
+    if isinstance(soil, Soil):
+        many = soil.gamma is None and not factors and len(list_combinations(model)) > 1
+        return replace(soil, parts=parts, area_fraction=share, table={} if many else None), none
     k0, k1 = _constants(model.ground, tables)
-    return found.mix(parts), (share @ k0, share @ k1)
+    return soil.mix(parts), (share @ k0, share @ k1)
 
 
 def medium_of(ground: ContinuousGround, layers: tuple[SoilLayer, ...], depth: float = math.inf) -> Medium:
     """Return layers as the ground says that they settle, down to a depth [m]; one that varies as GRADED_PARTS parts."""
-    found = []
+    parts = []
     for layer in map(layer_of, layers):
-        found += layer.split(1 if layer.moduli[1:] == (0.0, 0.0) else GRADED_PARTS)
+        parts += layer.split(1 if layer.moduli[1:] == (0.0, 0.0) else GRADED_PARTS)
     if isinstance(ground, Continuum):
-        bonded = [ElasticLayer(float(each.mean), float(each.nu), float(each.thickness)) for each in found]
+        bonded = [ElasticLayer(float(part.mean), float(part.nu), float(part.thickness)) for part in parts]
         if ground.half_space is not None:
             bonded.append(ElasticLayer(ground.half_space.E, ground.half_space.nu, math.inf))
         return BondedLayers(tuple(bonded))
-    bottoms = np.minimum(np.cumsum([each.thickness for each in found]), depth)
+    bottoms = np.minimum(np.cumsum([part.thickness for part in parts]), depth)
     thickness = np.diff(bottoms, prepend=0.0)
-    moduli = [float(each.oedometric_ratio * each.mean) for each in found]
+    moduli = [float(part.oedometric_ratio * part.mean) for part in parts]
     return StressedLayers(*zip(*((M, float(h)) for M, h in zip(moduli, thickness, strict=True) if h > 0), strict=True))
 
 
@@ -148,8 +148,8 @@ def _table(ground: AnyGround, model: Model) -> Array:
         return np.array([[ground.k0, ground.k1]])
     if isinstance(ground, ContinuousGround):
         return np.array([[subgrade_modulus(ground, model), 0.0]])
-    given = [[layer.k0, layer.k1] for layer in ground.layers if isinstance(layer, InterfaceLayer)]
-    return np.array(given) if given else _table_of_soil(ground.layers)
+    rows = [[layer.k0, layer.k1] for layer in ground.layers if isinstance(layer, InterfaceLayer)]
+    return np.array(rows) if rows else _table_of_soil(ground.layers)
 
 
 def _table_of_soil(layers: tuple[SoilLayer | InterfaceLayer, ...]) -> Array:
@@ -193,7 +193,7 @@ def _layers(table: Array) -> list[Layer]:
 def sublayers(ground: Layered, layers: tuple[Layer, ...]) -> list[Layer]:
     """Return the layers of a consistent stack, each split into the sublayers that the described ground wants."""
     soil = [layer for layer in ground.layers if isinstance(layer, SoilLayer)]
-    return [part for layer, own in zip(soil, layers, strict=True) for part in own.split(layer.sublayers)]
+    return [part for layer, consistent in zip(soil, layers, strict=True) for part in consistent.split(layer.sublayers)]
 
 
 def _constants(ground: AnyGround, table: Array) -> tuple[Array, Array]:
@@ -209,7 +209,7 @@ def _columns_under(model: Model, mesh: Mesh, factors: Factors, followed_zones: C
     """Return the tables (c, L, ...) that differ under a mesh, and which part of each element's area has which."""
     tables = np.stack(_tables(model))
     centres = mesh.nodes[mesh.elements[:, 8]]
-    given = (centres + model.origin).T
+    coordinates = (centres + model.origin).T
     if model.boreholes:
         element, part = np.arange(len(centres)), np.ones(len(centres))
         listed = _between_boreholes(model.boreholes, tables, centres)
@@ -219,7 +219,7 @@ def _columns_under(model: Model, mesh: Mesh, factors: Factors, followed_zones: C
         part, listed = share[element, zone], tables[zone]
     for name, factor in factors.items():
         layer, columns = _place_of(name, model)
-        listed[:, layer, columns] *= np.broadcast_to(factor(*given), len(centres))[element, None]
+        listed[:, layer, columns] *= np.broadcast_to(factor(*coordinates), len(centres))[element, None]
     rows, of = np.unique(listed.reshape(len(listed), -1), axis=0, return_inverse=True)
     return rows.reshape(-1, *tables.shape[1:]), Parts(element, of.ravel(), part)
 
@@ -250,14 +250,14 @@ def _share(parts: Parts, mesh: Mesh, plate_elements: Integers) -> Array:
 
 def _between_boreholes(holes: tuple[Borehole, ...], tables: Array, places: Array) -> Array:
     """Return the tables (p, L, 5) at places (p, 2), interpolated between those of the boreholes (h, L, 5)."""
-    known = np.array([(hole.x, hole.y) for hole in holes])
+    at_holes = np.array([(hole.x, hole.y) for hole in holes])
     # the moduli at top and bottom stay within what is known, as no value leaves its range; their difference would not
     # keep the modulus at the bottom positive. One of both changes is zero, as all boreholes have the same variation.
     curved = (tables[..., 3] != 0).any(axis=0)
     ends = tables.copy()
     ends[..., 2], ends[..., 3] = tables[..., 1:4].sum(axis=-1), 0.0
-    found = interpolate_linearly(known, ends.reshape(len(holes), -1), places).reshape(len(places), *tables.shape[1:])
-    change = found[..., 2] - found[..., 1]
-    found[..., 2], found[..., 3] = np.where(curved, 0.0, change), np.where(curved, change, 0.0)
-    found[..., 4] = np.where(np.abs(found[..., 4]) < ROUNDING, 0.0, found[..., 4])
-    return found
+    table = interpolate_linearly(at_holes, ends.reshape(len(holes), -1), places).reshape(len(places), *tables.shape[1:])
+    change = table[..., 2] - table[..., 1]
+    table[..., 2], table[..., 3] = np.where(curved, 0.0, change), np.where(curved, change, 0.0)
+    table[..., 4] = np.where(np.abs(table[..., 4]) < ROUNDING, 0.0, table[..., 4])
+    return table

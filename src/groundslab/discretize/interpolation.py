@@ -25,8 +25,8 @@ def interpolate_linearly(places: Array, values: Array, wanted: Array) -> Array:
     Values that are the same everywhere stay so to the last digit.
     """
     size = np.ptp(places, axis=0).max() or 1.0
-    found = _interpolate(_cone, places / size, values - values[0], wanted / size, degree=0)
-    result: Array = np.clip(values[0] + found, values.min(axis=0), values.max(axis=0))
+    interpolated = _interpolate(_cone, places / size, values - values[0], wanted / size, degree=0)
+    result: Array = np.clip(values[0] + interpolated, values.min(axis=0), values.max(axis=0))
     return result
 
 
@@ -39,22 +39,22 @@ def interpolate_smoothly(places: Array, values: Array, wanted: Array) -> Array:
     negative unless a known one is.
     """
     size = np.ptp(places, axis=0).max() or 1.0
-    known, given = _merge_close((places - places[0]) / size, values - values[0])
-    middle = known.mean(axis=0)
-    _, spread, axes = np.linalg.svd(known - middle)
-    rank = int((spread > ON_A_LINE * spread[0]).sum()) if len(known) > 1 else 0
+    merged, offsets = _merge_close((places - places[0]) / size, values - values[0])
+    middle = merged.mean(axis=0)
+    _, spread, axes = np.linalg.svd(merged - middle)
+    rank = int((spread > ON_A_LINE * spread[0]).sum()) if len(merged) > 1 else 0
     if rank == 0:
-        return np.full(len(wanted), values[0] + given.mean())
+        return np.full(len(wanted), values[0] + offsets.mean())
     along = axes[:rank].T
-    own, at = (known - middle) @ along, ((wanted - places[0]) / size - middle) @ along
-    found = _interpolate(_cube if rank == 1 else _thin_plate, own, given, at, degree=1)
-    trend = np.linalg.lstsq(np.column_stack([np.ones(len(own)), own]), given, rcond=None)[0]
+    local, at = (merged - middle) @ along, ((wanted - places[0]) / size - middle) @ along
+    interpolated = _interpolate(_cube if rank == 1 else _thin_plate, local, offsets, at, degree=1)
+    trend = np.linalg.lstsq(np.column_stack([np.ones(len(local)), local]), offsets, rcond=None)[0]
     plane = np.column_stack([np.ones(len(at)), at]) @ trend
-    low, high = given.min(), given.max()
+    low, high = offsets.min(), offsets.max()
     most = high - low
-    found = np.maximum(found, np.minimum(low, np.maximum(plane, low - most)))
-    found = np.minimum(found, np.maximum(high, np.minimum(plane, high + most)))
-    result: Array = values[0] + found
+    interpolated = np.maximum(interpolated, np.minimum(low, np.maximum(plane, low - most)))
+    interpolated = np.minimum(interpolated, np.maximum(high, np.minimum(plane, high + most)))
+    result: Array = values[0] + interpolated
     return np.maximum(result, 0.0) if values.min() >= 0 else result
 
 
@@ -71,10 +71,10 @@ def _interpolate(kernel: Callable[[Array], Array], places: Array, values: Array,
         distances = np.sqrt(((at[:, None] - places) ** 2).sum(axis=2))
         return np.column_stack([kernel(distances), terms(at)])
 
-    own = terms(places)
-    orthogonal = np.column_stack([own.T, np.zeros((own.shape[1], own.shape[1]))])
-    known = np.concatenate([values, np.zeros((own.shape[1], *values.shape[1:]))])
-    weights = np.linalg.solve(np.concatenate([around(places), orthogonal]), known)
+    trend = terms(places)
+    orthogonal = np.column_stack([trend.T, np.zeros((trend.shape[1], trend.shape[1]))])
+    right_side = np.concatenate([values, np.zeros((trend.shape[1], *values.shape[1:]))])
+    weights = np.linalg.solve(np.concatenate([around(places), orthogonal]), right_side)
     parts = np.array_split(wanted, 1 + len(wanted) * len(places) // MOST_DISTANCES)
     return np.concatenate([around(part) @ weights for part in parts])
 
@@ -86,8 +86,8 @@ def _cone(r: Array) -> Array:
 
 def _cube(r: Array) -> Array:
     """Return that of the natural cubic spline."""
-    found: Array = r**3
-    return found
+    cubes: Array = r**3
+    return cubes
 
 
 def _thin_plate(r: Array) -> Array:
@@ -99,5 +99,5 @@ def _merge_close(places: Array, values: Array) -> tuple[Array, Array]:
     """Return places (u, 2) and values (u,), with those too close to distinguish replaced by their means."""
     group = np.unique(np.round(places, APART), axis=0, return_inverse=True)[1].ravel()
     count = np.bincount(group)
-    x, y, value = (np.bincount(group, weights=each) / count for each in (*places.T, values))
+    x, y, value = (np.bincount(group, weights=column) / count for column in (*places.T, values))
     return np.column_stack([x, y]), value

@@ -43,13 +43,13 @@ def loadings(model: Model, plan: Layout, beams: Beams, element: plate.PlateEleme
 
 def materials(model: Model) -> list[tuple[float, float, float]]:
     """Return E [Pa], nu and thickness [m] of each section: a plate's own, those of its zones, then the next plate's."""
-    found: list[tuple[float, float, float]] = []
-    for each in model.every_plate:
-        found.append((each.E, each.nu, each.thickness))
-        for zone in each.zones:
-            t = each.thickness if zone.thickness is None else zone.thickness
-            found.append((each.E if zone.E is None else zone.E, each.nu if zone.nu is None else zone.nu, t))
-    return found
+    sections: list[tuple[float, float, float]] = []
+    for slab in model.every_plate:
+        sections.append((slab.E, slab.nu, slab.thickness))
+        for zone in slab.zones:
+            t = slab.thickness if zone.thickness is None else zone.thickness
+            sections.append((slab.E if zone.E is None else zone.E, slab.nu if zone.nu is None else zone.nu, t))
+    return sections
 
 
 def _loading(
@@ -78,7 +78,7 @@ def _loading(
             forces += force
             couples += couple
             acts = np.abs(force).sum(axis=1), np.abs(couple).sum(axis=(0, 2))
-            of_forces, of_couples = (scatter(plan.plate, each, len(size)) for each in acts)
+            of_forces, of_couples = (scatter(plan.plate, values, len(size)) for values in acts)
             size += of_forces + of_couples / lengths
             if isinstance(shape, PlateAction):
                 warp += _warp(shape, model, plan)
@@ -116,17 +116,17 @@ def _loading(
 
 def _add_from_spans(table: Array, beams: Beams, nodes: Array, at_ends: tuple[Array, Array, Array]) -> None:
     """Add to nodal loads (n, F) what spans bring to their ends, as `end_forces` returns it, between nodes (n, 2)."""
-    some = np.flatnonzero(beams.spans)
-    deep = beams.theta[some]
-    way = nodes[beams.sides[some, 1]] - nodes[beams.sides[some, 0]]
+    spans = np.flatnonzero(beams.spans)
+    deep = beams.theta[spans]
+    way = nodes[beams.sides[spans, 1]] - nodes[beams.sides[spans, 0]]
     t = way / np.linalg.norm(way, axis=1, keepdims=True)
     n = np.column_stack([-t[:, 1], t[:, 0]])
     for end in (0, 1):
-        node, (force, turning, twisting) = beams.sides[some, end], (each[:, end] for each in at_ends)
+        node, (force, turning, twisting) = beams.sides[spans, end], (values[:, end] for values in at_ends)
         np.add.at(table, (node, W), force)
         # of a wall, whose direction may be against that of its span, the couple turns its sections
-        own = turning * (t * beams.along[some, end]).sum(axis=1)
-        np.add.at(table, (node[deep > 0], deep[deep > 0]), own[deep > 0])
+        couples = turning * (t * beams.along[spans, end]).sum(axis=1)
+        np.add.at(table, (node[deep > 0], deep[deep > 0]), couples[deep > 0])
         couple = np.where(deep > 0, 0.0, turning)[:, None] * t + twisting[:, None] * n
         for axis in (0, 1):
             np.add.at(table, (node, BETA_X + axis), couple[:, axis])
@@ -234,7 +234,7 @@ def _share(force: PointForce, plan: Layout) -> float:
 
 def _on_meshed_side(force: PointForce, plan: Layout) -> Array:
     """Return the place (2,) of a force or of its meshed mirror image, on the plate to the last digit."""
-    given = np.array(force.place)
-    place = np.where(plan.symmetry, np.abs(given), given)
+    point = np.array(force.place)
+    place = np.where(plan.symmetry, np.abs(point), point)
     nodes = plan.mesh.nodes[plan.mesh.elements[plan.plate_elements]]
     return np.clip(place, nodes.min(axis=(0, 1)), nodes.max(axis=(0, 1)))

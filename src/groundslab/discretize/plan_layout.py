@@ -66,15 +66,15 @@ class Meshes:
 
     def of(self, source: Hashable, make: Callable[[], tuple[Mesh, Integers]]) -> Meshed:
         """Return the mesh of a source, made now if there is none."""
-        found = self.made.get(source)
-        if found is None:
+        meshed = self.made.get(source)
+        if meshed is None:
             mesh, section = make()
             moving, *_ = connect(mesh.elements)
             graded = not np.array_equal(moving, mesh.elements)
-            found = mesh, section, elimination_order(Mesh(mesh.nodes, moving), graded)
+            meshed = mesh, section, elimination_order(Mesh(mesh.nodes, moving), graded)
             if not self.closed:
-                self.made[source] = found
-        return found
+                self.made[source] = meshed
+        return meshed
 
 
 @dataclass(frozen=True, slots=True)
@@ -132,18 +132,18 @@ def layout(model: Model, grounds: list[Soil | Column], coarsening: int, margin: 
     wider = (margin - 1) * max(width, _longest_decay(model, grounds)) if width and margin > 1 else 0.0
     divided = coarsening == 0 and not uniform(model, symmetry, width)
     source, make, arcs = _mesh_of(model, grounds, symmetry, width, coarsening + divided, meshes.local)
-    found = meshes.of(source, make)
+    meshed = meshes.of(source, make)
     if divided:
-        coarser = found
+        coarser = meshed
         source = source, "halved"
-        found = meshes.of(source, lambda: _divide(coarser, arcs))
+        meshed = meshes.of(source, lambda: _divide(coarser, arcs))
     if wider:
-        narrow = found
-        found = meshes.of((source, wider), lambda: _widen(model, symmetry, narrow, wider))
+        narrow = meshed
+        meshed = meshes.of((source, wider), lambda: _widen(model, symmetry, narrow, wider))
     if model.joints:
-        joined = found
-        found = meshes.of((source, wider, "separate"), lambda: _separate(model, joined))
-    mesh, section, rank = found
+        joined = meshed
+        meshed = meshes.of((source, wider, "separate"), lambda: _separate(model, joined))
+    mesh, section, rank = meshed
     plate_elements = np.flatnonzero(section >= 0)
     outer, axis = _outer_sides(model, symmetry, mesh)
     section = section[plate_elements]
@@ -258,7 +258,7 @@ def has_coarser(model: Model, symmetry: tuple[bool, bool]) -> bool:
 
 def _counts(model: Model, symmetry: tuple[bool, bool], coarsening: int) -> tuple[int, int]:
     """Return the numbers of elements along x and y in the part of the plate that is meshed, of several the least."""
-    lengths = [min(each.sides[axis] for each in model.every_plate) for axis in (0, 1)]
+    lengths = [min(plate.sides[axis] for plate in model.every_plate) for axis in (0, 1)]
     if model.mesh.counts is not None:
         counts = [c // 2 if s else c for c, s in zip(model.mesh.counts, symmetry, strict=True)]
     else:
@@ -313,15 +313,15 @@ def _make_grid(
         reached = {OUTWARD[side]: width for side, width in widths.items() if width and AXIS[side] == axis}
         if symmetry[axis]:
             reached.pop(-1, None)
-        own = np.linspace(low, high, count + 1)
+        inner = np.linspace(low, high, count + 1)
         if reached and model.mesh.counts is None:
-            own = towards_edges(low, high, size, np.array([side * length / 2 for side in reached]), edge_size)
+            inner = towards_edges(low, high, size, np.array([side * length / 2 for side in reached]), edge_size)
         beyond = {outward: distances_beyond_edge(width, min(size, edge_size), size, length / 2)
                   for outward, width in reached.items()}  # fmt: skip
         before = -length / 2 - beyond[-1][::-1] if -1 in reached else np.zeros(0)
         after = length / 2 + beyond[1] if 1 in reached else np.zeros(0)
-        lines.append(np.concatenate([before, own, after]))
-        inside.append(np.repeat([False, True, False], [len(before), len(own) - 1, len(after)]))
+        lines.append(np.concatenate([before, inner, after]))
+        inside.append(np.repeat([False, True, False], [len(before), len(inner) - 1, len(after)]))
     return grid(lines[0], lines[1]), np.where((inside[1][:, None] & inside[0]).ravel(), 0, -1)
 
 
@@ -346,7 +346,7 @@ def _size(model: Model) -> float:
     """Return the largest side that an element may have [m]; on smaller plates it is less, see `local_sizes`."""
     if model.mesh.size is not None:
         return model.mesh.size
-    return max(usual_size(each.sides) for each in model.every_plate)
+    return max(usual_size(plate.sides) for plate in model.every_plate)
 
 
 def _make_plan_mesh(
@@ -356,10 +356,10 @@ def _make_plan_mesh(
     from groundslab import meshing
 
     if adaptive:
-        found = meshing.adaptable(plan, size, edge_size, local)
+        meshed = meshing.adaptable(plan, size, edge_size, local)
     else:
-        found = meshing.mesh(plan, size, edge_size=edge_size, local=local)
-    return Mesh(found.nodes, found.elements), found.section
+        meshed = meshing.mesh(plan, size, edge_size=edge_size, local=local)
+    return Mesh(meshed.nodes, meshed.elements), meshed.section
 
 
 def plan_of(model: Model, symmetry: tuple[bool, bool], width: float) -> Plan:
@@ -390,13 +390,13 @@ def plan_of(model: Model, symmetry: tuple[bool, bool], width: float) -> Plan:
 def _outer_sides(model: Model, symmetry: tuple[bool, bool], mesh: Mesh) -> tuple[Integers, Integers]:
     """Return the sides (s, 3) of the mesh beyond which there was ground to mesh, and the axis across each (s,)."""
     sides = sides_on_boundary(mesh.elements)
-    found, axes = [np.zeros((0, 3), dtype=np.int64)], [np.zeros(0, dtype=np.int64)]
+    outer, axes = [np.zeros((0, 3), dtype=np.int64)], [np.zeros(0, dtype=np.int64)]
     for side in model.beyond.sides if model.ground_reaches else ():
         axis = AXIS[side]
         if symmetry[axis] and OUTWARD[side] < 0:
             continue
         coordinate = OUTWARD[side] * mesh.nodes[:, axis]
         on_side = sides[(coordinate[sides] == coordinate.max()).all(axis=1)]
-        found.append(on_side)
+        outer.append(on_side)
         axes.append(np.full(len(on_side), axis))
-    return np.concatenate(found), np.concatenate(axes)
+    return np.concatenate(outer), np.concatenate(axes)

@@ -34,7 +34,7 @@ def _symmetric(model: Model, axis: int) -> bool:
     if model.mesh.counts is not None and model.mesh.counts[axis] % 2:
         return False
     items = [_locate(load.case, shape) for load, shape in model.acting if not _is_everywhere(shape)]
-    items += [(("void", each.depth), (each.x, each.y)) if each.x and each.y else None for each in model.contact.voids]
+    items += [(("void", void.depth), (void.x, void.y)) if void.x and void.y else None for void in model.contact.voids]
     here, there = Counter[object](), Counter[object]()
     for item in items:
         if item is None:

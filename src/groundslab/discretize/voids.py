@@ -42,13 +42,13 @@ def share_voids(model: Model, xy: Array, followed_voids: Collection[int], steps:
     Ground without shear may step along the border of a void, so that an element can lie in a void in part. The surface
     of ground with shear is continuous, and an element lies wholly in what takes the largest share of it.
     """
-    own = np.array([np.inf if void.depth is None else void.depth for void in model.contact.voids])
-    order = np.argsort(own, kind="stable")  # where voids overlap the deepest counts
+    depths = np.array([np.inf if void.depth is None else void.depth for void in model.contact.voids])
+    order = np.argsort(depths, kind="stable")  # where voids overlap the deepest counts
     rings = [model.void_rings[k] for k in order]
-    depth, of = np.unique([0.0, *own], return_inverse=True)
+    depth, of = np.unique([0.0, *depths], return_inverse=True)
     followed = [position for position, k in enumerate(order) if k in followed_voids]
     by_ring = shares(xy, rings, followed, max(model.sides))
-    drawn = np.zeros((len(xy), len(own)))
+    drawn = np.zeros((len(xy), len(depths)))
     drawn[:, order] = by_ring[:, 1:]
     parts = np.column_stack([by_ring[:, 0], drawn])
     share = np.stack([parts[:, of == k].sum(axis=1) for k in range(len(depth))], axis=1)
@@ -68,9 +68,9 @@ def find_depths(model: Model, plan: Layout, ground: Soil | Column, finest: bool)
     if isinstance(model.ground, ContinuousGround):
         return _at_nodes(plan, np.zeros(1), np.ones((len(plan.plate_elements), 1)), False)
     steps = isinstance(ground, Column) and ground.surfaces == 1 and not ground.A1.any()
-    found = share_voids(model, plan.mesh.xy[plan.plate_elements], plan.mesh_plan.followed_voids, steps)
-    there = found.drawn > 0
-    lost = there.any(axis=0) & ~(there & (found.share[:, found.of] > 0)).any(axis=0)
+    voids = share_voids(model, plan.mesh.xy[plan.plate_elements], plan.mesh_plan.followed_voids, steps)
+    mask = voids.drawn > 0
+    lost = mask.any(axis=0) & ~(mask & (voids.share[:, voids.of] > 0)).any(axis=0)
     if finest and lost.any():
         hint = "make the elements smaller than the void"
         raise InputError(
@@ -79,7 +79,7 @@ def find_depths(model: Model, plan: Layout, ground: Soil | Column, finest: bool)
                 for k in np.flatnonzero(lost)
             ]
         )
-    return _at_nodes(plan, found.depth, found.share, steps)
+    return _at_nodes(plan, voids.depth, voids.share, steps)
 
 
 def _at_nodes(plan: Layout, depth: Array, share: Array, steps: bool) -> Depths:
@@ -93,13 +93,13 @@ def _at_nodes(plan: Layout, depth: Array, share: Array, steps: bool) -> Depths:
     by_node = collect(mesh.elements, by_node)
     rows, of = np.array([[1.0] + 9 * [0.0]]), np.zeros(len(mesh.elements), dtype=np.int64)
     if steps and len(depth) > 1:
-        own = np.zeros((len(elements), 10))
+        by_element = np.zeros((len(elements), 10))
         same = (share == 1.0) & (first[elements][..., None] == np.arange(len(depth))).all(axis=1)
-        own[:, 0] = np.where(same.any(axis=1), 1.0, share[:, 0])
-        own[:, 1:] = np.where(
+        by_element[:, 0] = np.where(same.any(axis=1), 1.0, share[:, 0])
+        by_element[:, 1:] = np.where(
             (first[elements] > 0) & ~same.any(axis=1)[:, None], np.take_along_axis(share, first[elements], axis=1), 0.0
         )
-        rows, number = np.unique(np.vstack([rows, own]), axis=0, return_inverse=True)
+        rows, number = np.unique(np.vstack([rows, by_element]), axis=0, return_inverse=True)
         of = np.full(len(mesh.elements), number.ravel()[0])
         of[plan.plate_elements] = number.ravel()[1:]
     return Depths(depth, share, first, by_node, rows, of, steps)
@@ -110,8 +110,8 @@ def initial_gap(model: Model, plan: Layout) -> Array:
     gap, under = np.zeros(len(plan.mesh.nodes)), plan.plate_nodes
     gap[under] = model.contact.gap
     if model.contact.gaps:
-        known = np.array([(point.x, point.y, point.gap) for point in model.contact.gaps])
-        gap[under] += interpolate_smoothly(known[:, :2], known[:, 2], plan.mesh.nodes[under])
+        points = np.array([(point.x, point.y, point.gap) for point in model.contact.gaps])
+        gap[under] += interpolate_smoothly(points[:, :2], points[:, 2], plan.mesh.nodes[under])
     return gap
 
 
@@ -126,17 +126,17 @@ def bottoms(plan: Layout, found: Depths, column: Column) -> tuple[Integers, Inte
     nodes, which, stiffness, areas = [], [], [], []
     for k in np.flatnonzero(np.isfinite(found.depth) & (found.depth > 0)):
         deeper: Flags = (found.area_fraction[:, [k]] > 0) & (found.shallowest[elements] < k)
-        own = np.where(deeper, found.area_fraction[:, [k]] * area, 0.0)
+        part = np.where(deeper, found.area_fraction[:, [k]] * area, 0.0)
         # the settlement of an element's center may hang on that of its other nodes
-        own[:, MIDSIDES] += own[:, [8]] / 4
-        own[:, 8] = 0.0
-        each = np.stack([scatter(elements, values, len(mesh.nodes)) for values in (own, k0[:, None] * own)], axis=1)
-        each = collect(mesh.elements, each)
-        at = np.flatnonzero(each[:, 0])
+        part[:, MIDSIDES] += part[:, [8]] / 4
+        part[:, 8] = 0.0
+        sums = np.stack([scatter(elements, values, len(mesh.nodes)) for values in (part, k0[:, None] * part)], axis=1)
+        sums = collect(mesh.elements, sums)
+        at = np.flatnonzero(sums[:, 0])
         nodes.append(at)
         which.append(np.full(len(at), k))
-        areas.append(each[at, 0])
-        stiffness.append(each[at, 1])
+        areas.append(sums[at, 0])
+        stiffness.append(sums[at, 1])
     none = np.zeros(0, dtype=np.int64)
     return (
         np.concatenate([none, *nodes]), np.concatenate([none, *which]),

@@ -21,8 +21,8 @@ def nearest_distance(places: Array, among: Array, reach: float) -> Array:
     if len(places) * len(among) > MOST_PAIRS:
         from scipy.spatial import KDTree
 
-        found: Array = KDTree(among).query(places, distance_upper_bound=reach)[0]
-        return found
+        distance: Array = KDTree(among).query(places, distance_upper_bound=reach)[0]
+        return distance
     squared = np.full(len(places), np.inf)
     rows = max(1, CHUNK // max(1, len(among)))
     for start in range(0, len(places), rows):
@@ -39,7 +39,7 @@ def nearest_of_same(some: Array, among: Array) -> tuple[Integers, Array]:
     """
     step = ROUNDED * float(np.ptp(among, axis=0).max()) or 1.0
     low = among.min(axis=0)
-    keys, wanted = (np.round((each - low) / step).astype(np.int64) @ [2**31, 1] for each in (among, some))
+    keys, wanted = (np.round((places - low) / step).astype(np.int64) @ [2**31, 1] for places in (among, some))
     order = np.argsort(keys)
     at = order[np.minimum(np.searchsorted(keys, wanted, sorter=order), len(keys) - 1)]
     distance = np.hypot(*(some - among[at]).T)

@@ -344,7 +344,7 @@ class Plan:
 
     def segments_by_line(self) -> list[tuple[Segment, ...]]:
         """Return the straight pieces and arcs of each line."""
-        return [make_segments(*each) for each in zip_longest(self.lines, self.line_bulges, fillvalue=())]
+        return [make_segments(*pair) for pair in zip_longest(self.lines, self.line_bulges, fillvalue=())]
 
     def line_segments(self) -> list[Segment]:
         """Return the straight pieces and arcs of all lines."""

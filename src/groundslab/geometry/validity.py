@@ -246,8 +246,8 @@ def _find_near_places(plan: Plan, edges: list[Segment], places: Array, near: flo
     pairs = shapely.STRtree(shapely.points(places)).query(flatten(edges, off), predicate="dwithin", distance=near + off)
     pairs = pairs[:, np.lexsort(pairs[::-1])]
     begins = np.flatnonzero(np.diff(pairs[0], prepend=-1))
-    for one, many in zip(pairs[0, begins], np.split(pairs[1], begins[1:]), strict=False):
-        yield int(one), many
+    for number, many in zip(pairs[0, begins], np.split(pairs[1], begins[1:]), strict=False):
+        yield int(number), many
 
 
 def _find_narrow_wedges(plan: Plan) -> Iterator[Issue]:

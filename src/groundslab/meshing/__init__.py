@@ -55,10 +55,10 @@ def mesh(
     if local is not None and not (local[1] < size).any():
         local = None
     if not plan.rectilinear:
-        found = unstructured(plan, size, beyond_growth, maker, edge_size, across)
+        meshed = unstructured(plan, size, beyond_growth, maker, edge_size, across)
     else:
-        found = rectilinear(plan, size, beyond_growth, edge_size)
-    return found if local is None else divide(plan, found, size, local)
+        meshed = rectilinear(plan, size, beyond_growth, edge_size)
+    return meshed if local is None else divide(plan, meshed, size, local)
 
 
 def adaptable(plan: Plan, size: float, edge_size: float, local: Sources | None) -> PlanMesh:
@@ -87,9 +87,9 @@ def _from_whole_cells(plan: Plan, size: float, edge_size: float) -> Iterator[Pla
     smaller, scale = sizing.sources(plan, size, edge_size, NARROW), sizing.growth_distance(plan, None)
     for cells in islice(choose()(plan, size, smaller, scale), WHOLE):
         with suppress(InputError):
-            found = _quadrilaterals(plan, *quadrangulation.cut_triangles(cells))
-            if found.quality.worst > POOR:
-                yield found
+            meshed = _quadrilaterals(plan, *quadrangulation.cut_triangles(cells))
+            if meshed.quality.worst > POOR:
+                yield meshed
 
 
 def unstructured(

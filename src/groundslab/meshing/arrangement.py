@@ -36,16 +36,16 @@ def pieces(plan: Plan) -> tuple[list[Piece], list[Place]]:
     cuts = [{vertices.number(edge.start), vertices.number(edge.end)} for edge in edges]
     points = [vertices.number(point) for point in plan.points]
     places = np.array(vertices.places)
-    for own, edge in zip(cuts, edges, strict=True):
-        own |= set(np.flatnonzero(edge.distance(places) <= 2 * vertices.same).tolist())
+    for cut, edge in zip(cuts, edges, strict=True):
+        cut |= set(np.flatnonzero(edge.distance(places) <= 2 * vertices.same).tolist())
     for i, j in _neighbours(edges, 4 * vertices.same):
         if curve[i] != curve[j]:
             _cut(edges[i], edges[j], cuts[i], cuts[j], vertices)
     kept: list[tuple[Segment, bool]] = []
-    known: dict[frozenset[Place], list[int]] = {}
-    for edge, own, optionally in zip(edges, cuts, optional, strict=True):
-        for piece in _split_edge(edge, [vertices.places[k] for k in own], 2 * vertices.same):
-            alike = known.setdefault(frozenset((piece.start, piece.end)), [])
+    by_ends: dict[frozenset[Place], list[int]] = {}
+    for edge, cut, optionally in zip(edges, cuts, optional, strict=True):
+        for piece in _split_edge(edge, [vertices.places[k] for k in cut], 2 * vertices.same):
+            alike = by_ends.setdefault(frozenset((piece.start, piece.end)), [])
             twin = [k for k in alike if math.dist(kept[k][0].middle, piece.middle) <= vertices.near]
             if twin:
                 kept[twin[0]] = kept[twin[0]][0], kept[twin[0]][1] and optionally
@@ -81,10 +81,10 @@ def _edges(plan: Plan) -> tuple[list[Segment], list[bool], list[int]]:
     optional: list[bool] = []
     curve: list[int] = []
     for k, (name, ring) in enumerate(plan.rings().items()):
-        own = ring.segments()
-        edges += own
-        optional += [name.startswith("plate.zones")] * len(own)
-        curve += [k] * len(own)
+        segments = ring.segments()
+        edges += segments
+        optional += [name.startswith("plate.zones")] * len(segments)
+        curve += [k] * len(segments)
     lines = plan.line_segments()
     return edges + lines, optional + [False] * len(lines), curve + [-1 - k for k in range(len(lines))]
 
@@ -94,8 +94,8 @@ def _neighbours(edges: list[Segment], distance: float) -> list[tuple[int, int]]:
     import shapely
 
     boxes = [bounding_box([edge]) for edge in edges]
-    found = shapely.STRtree(boxes).query(boxes, predicate="dwithin", distance=distance).T
-    return sorted((i, j) for i, j in found.tolist() if i < j)
+    pairs = shapely.STRtree(boxes).query(boxes, predicate="dwithin", distance=distance).T
+    return sorted((i, j) for i, j in pairs.tolist() if i < j)
 
 
 def _cut(one: Segment, two: Segment, cuts: set[int], others: set[int], vertices: Vertices) -> None:

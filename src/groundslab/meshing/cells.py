@@ -50,7 +50,7 @@ def sort_by_corners(polygons: Iterable[list[int]]) -> tuple[Integers, Integers]:
     kinds: dict[int, list[list[int]]] = {3: [], 4: []}
     for corners in polygons:
         kinds[len(corners)].append(corners)
-    three, four = (np.array(found, dtype=np.int64).reshape(-1, n) for n, found in kinds.items())
+    three, four = (np.array(rows, dtype=np.int64).reshape(-1, n) for n, rows in kinds.items())
     return three, four
 
 
@@ -58,8 +58,8 @@ def middles_of(nodes: Array, keys: Integers, drawn: FixedSides) -> Array:
     """Return the middles (u, 2) of sides given by ascending keys (u,), on the arcs where there are any."""
     n = len(nodes)
     middles: Array = (nodes[keys // n] + nodes[keys % n]) / 2
-    place, known = find_sides(keys, drawn.ends, n)
-    curved = (drawn.radius > 0) & known
+    place, fixed = find_sides(keys, drawn.ends, n)
+    curved = (drawn.radius > 0) & fixed
     place = place[curved]
     middles[place] = project_onto(middles[place], drawn.centre[curved], drawn.radius[curved])
     return middles

@@ -124,8 +124,8 @@ def cells_of(
     index[tags.astype(np.int64)] = np.arange(len(tags))
 
     def elements(tag: int, kind: int, corners: int) -> Integers:
-        found = gmsh.model.mesh.getElementsByType(kind, tag)[1].astype(np.int64)
-        result: Integers = index[found].reshape(-1, corners)
+        node_tags = gmsh.model.mesh.getElementsByType(kind, tag)[1].astype(np.int64)
+        result: Integers = index[node_tags].reshape(-1, corners)
         return result
 
     triangles, quadrilaterals = [], []
@@ -170,8 +170,8 @@ class PlanGeometry:
             _, origin = occ.fragment(domain, tools)
             parts = domain + tools
             self.faces = {tag for part in origin[: len(domain)] for _, tag in part}
-            own = [origin[parts.index(outline)] for outline in outlines if outline in parts]
-            self.inside = {tag for found in own for _, tag in found} if own else set(self.faces)
+            fragments = [origin[parts.index(outline)] for outline in outlines if outline in parts]
+            self.inside = {tag for fragment in fragments for _, tag in fragment} if fragments else set(self.faces)
             self.inside &= self.faces
 
     def point(self, place: Place) -> int:
@@ -261,8 +261,8 @@ def _fixed_sides(
     arcs = plan.arcs()
     ends, centre, radius = [np.zeros((0, 2), dtype=np.int64)], [np.zeros((0, 2))], [np.zeros(0)]
     for _, tag in gmsh.model.getEntities(1):
-        own = sides_on(tag)
-        if not len(own):
+        sides = sides_on(tag)
+        if not len(sides):
             continue
         edge = Segment((0.0, 0.0), (0.0, 0.0))
         if gmsh.model.getType(1, tag) != "Line":
@@ -270,9 +270,9 @@ def _fixed_sides(
             on_it = gmsh.model.getValue(1, tag, np.linspace(low, high, 5)).reshape(-1, 3)[:, :2]
             on_it = on_it / geometry.scale + geometry.middle
             edge = arcs[int(np.argmin([arc.distance(on_it).max() for arc in arcs]))]
-            inner = np.setdiff1d(own, points)
+            inner = np.setdiff1d(sides, points)
             nodes[inner] = project_onto(nodes[inner], np.array(edge.centre), edge.radius)
-        ends.append(own)
-        centre.append(np.tile(edge.centre, (len(own), 1)))
-        radius.append(np.full(len(own), edge.radius))
+        ends.append(sides)
+        centre.append(np.tile(edge.centre, (len(sides), 1)))
+        radius.append(np.full(len(sides), edge.radius))
     return FixedSides(np.concatenate(ends), np.concatenate(centre), np.concatenate(radius), points)

@@ -50,9 +50,9 @@ def rectilinear(
 
 def _apart(values: Array, extent: float) -> Array:
     """Return values ascending, of those that are one place only the first given: an edge before a support on it."""
-    ascending, given = np.unique(values, return_index=True)
+    ascending, first = np.unique(values, return_index=True)
     place = np.concatenate([[0], np.cumsum(np.diff(ascending) > 1e-8 * extent)])
-    order = np.lexsort((given, place))
+    order = np.lexsort((first, place))
     different: Array = ascending[order[np.unique(place[order], return_index=True)[1]]]
     return different
 
@@ -80,11 +80,11 @@ def _divide(
     for i, (low, high) in enumerate(spans):
 
         def wanted_here(x: Array, i: int = i) -> Array:
-            own: Array = even[i] * wanted(x)
+            target: Array = even[i] * wanted(x)
             near, sides = [*highs[:i], *lows[i + 1 :]], [*at_high[:i], *at_low[i + 1 :]]
             for place, side in zip(near, sides, strict=True):
-                own = np.minimum(own, SIMILAR * side + GRADING * np.abs(x - place))
-            return own
+                target = np.minimum(target, SIMILAR * side + GRADING * np.abs(x - place))
+            return target
 
         lines.append(divide_graded(wanted_here, low, high))
     return np.concatenate(lines)

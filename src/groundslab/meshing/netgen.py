@@ -149,8 +149,8 @@ def _crossing(chords: Chords) -> Integers:
     shared = (chords.ends[one][:, :, None] == chords.ends[two][:, None, :]).sum(axis=(1, 2))
     apart = shapely.length(shapely.intersection(lines[one], lines[two])) > 0
     wrong = (shared == 0) | (shared == 2) | ((shared == 1) & apart)
-    found: Integers = np.unique(np.concatenate([one[wrong], two[wrong]]))
-    return found
+    numbers: Integers = np.unique(np.concatenate([one[wrong], two[wrong]]))
+    return numbers
 
 
 def _with_points(chords: Chords, points: list[Place], wanted: Callable[[Array], Array]) -> Chords:
@@ -217,11 +217,11 @@ def _fixed_sides(parts: list[Piece], chords: Chords, nodes: Array, number: Integ
     middles = shapely.points(nodes[sides].mean(axis=1))
     nearest = shapely.STRtree(shapely.linestrings(chords.nodes[chords.ends])).nearest(middles)
     owner = chords.piece[nearest]
-    own, owner = sides[owner >= 0], owner[owner >= 0]
+    on_pieces, owner = sides[owner >= 0], owner[owner >= 0]
     centre = np.array([part.edge.centre for part in parts])[owner]
     radius = np.array([part.edge.radius for part in parts])[owner]
-    added = (radius > 0)[:, None] & ~np.isin(own, number)
+    added = (radius > 0)[:, None] & ~np.isin(on_pieces, number)
     for k in (0, 1):
-        at = own[added[:, k], k]
+        at = on_pieces[added[:, k], k]
         nodes[at] = project_onto(nodes[at], centre[added[:, k]], radius[added[:, k]])
-    return FixedSides(own, centre, radius, number[chords.points])
+    return FixedSides(on_pieces, centre, radius, number[chords.points])

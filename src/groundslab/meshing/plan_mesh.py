@@ -35,13 +35,13 @@ class PlanMesh:
 
 def check(plan: Plan, size: float) -> None:
     """Raise what is wrong with a plan and a size."""
-    found = find_issues(plan)
+    issues = find_issues(plan)
     if not (math.isfinite(size) and size > 0):
-        found.append(Issue("mesh.size", f"{size!r}", "a length greater than 0"))
-    elif not found and plan.area / size**2 > MOST_ELEMENTS:
-        found.append(too_many_elements())
-    if found:
-        raise InputError(found)
+        issues.append(Issue("mesh.size", f"{size!r}", "a length greater than 0"))
+    elif not issues and plan.area / size**2 > MOST_ELEMENTS:
+        issues.append(too_many_elements())
+    if issues:
+        raise InputError(issues)
 
 
 def too_many_elements() -> Issue:
@@ -54,21 +54,21 @@ def finish(plan: Plan, nodes: Array, elements: Integers, section: Integers) -> P
     if len(elements) > MOST_ELEMENTS:
         raise InputError([too_many_elements()])
     used, number = np.unique(elements, return_inverse=True)
-    found = quality(nodes[elements])
-    if not found.worst > 0:
-        inverted = f"a mesh with an element turned inside out at {format_place(found.worst_place, plan.origin)}"
+    measured = quality(nodes[elements])
+    if not measured.worst > 0:
+        inverted = f"a mesh with an element turned inside out at {format_place(measured.worst_place, plan.origin)}"
         raise InputError(
             [Issue("plan", inverted, "elements that can be used", "simplify the plan there or mesh it finer")]
         )
-    return PlanMesh(nodes[used], number.reshape(elements.shape).astype(np.int64), section, found)
+    return PlanMesh(nodes[used], number.reshape(elements.shape).astype(np.int64), section, measured)
 
 
 def on_bounds(plan: Plan, nodes: Array) -> Array:
     """Return nodes (n, 2), those next to the rectangle around a plan exactly on it: there further ground begins."""
     low, high = np.reshape(plan.bounds, (2, 2))
     near = same_place_in(plan)
-    found: Array = np.where(np.abs(nodes - low) < near, low, np.where(np.abs(nodes - high) < near, high, nodes))
-    return found
+    snapped: Array = np.where(np.abs(nodes - low) < near, low, np.where(np.abs(nodes - high) < near, high, nodes))
+    return snapped
 
 
 def check_area(plan: Plan, result: PlanMesh) -> None:

@@ -53,8 +53,8 @@ def cut_triangles(cells: Cells) -> tuple[Array, Integers]:
     after, center = n + number, n + len(sides) + np.arange(len(three))
     before = np.roll(after, 1, axis=1)
     parts = [np.column_stack([three[:, k], after[:, k], center, before[:, k]]) for k in range(3)]
-    known = sides // n * len(places) + sides % n
-    return add_midside_nodes(places, np.concatenate([four, *parts]), _halved(drawn, sides, n), (known, n))
+    keys = sides // n * len(places) + sides % n
+    return add_midside_nodes(places, np.concatenate([four, *parts]), _halved(drawn, sides, n), (keys, n))
 
 
 def _halved(drawn: FixedSides, sides: Integers, n: int) -> FixedSides:
@@ -194,9 +194,9 @@ def improve(nodes: Array, quadrilaterals: Integers, drawn: FixedSides) -> None:
     """Move corners of bad elements, one by one, to where the worst element around them is best."""
     keys, number = np.unique(sides_of(quadrilaterals, len(nodes)), return_inverse=True)
     number = number.reshape(quadrilaterals.shape)
-    place, known = find_sides(keys, drawn.ends, len(nodes))
+    place, fixed = find_sides(keys, drawn.ends, len(nodes))
     centre, radius = np.zeros((len(keys), 2)), np.zeros(len(keys))
-    centre[place[known]], radius[place[known]] = drawn.centre[known], drawn.radius[known]
+    centre[place[fixed]], radius[place[fixed]] = drawn.centre[fixed], drawn.radius[fixed]
     fixed_points = np.zeros(len(nodes), dtype=bool)
     fixed_points[drawn.ends] = fixed_points[drawn.points] = True
     angle = np.arange(16) * math.pi / 8
@@ -237,8 +237,8 @@ def add_midside_nodes(
     keys, number = np.unique(sides, return_inverse=True)
     new, middle = np.ones(len(keys), dtype=bool), np.zeros(len(keys), dtype=np.int64)
     if known is not None:
-        there = np.flatnonzero(np.isin(keys, known[0]))
-        new[there], middle[there] = False, known[1] + np.searchsorted(known[0], keys[there])
+        existing = np.flatnonzero(np.isin(keys, known[0]))
+        new[existing], middle[existing] = False, known[1] + np.searchsorted(known[0], keys[existing])
     middle[new] = n + np.arange(new.sum())
     places = np.concatenate([nodes, middles_of(nodes, keys[new], drawn)])
     eight = np.column_stack([quadrilaterals, middle[number.reshape(sides.shape)]])

@@ -47,13 +47,13 @@ def split(mesh: Mesh, marked: Flags, arcs: Sequence[Segment] = ()) -> tuple[Mesh
     parent : (k,) array of int
         Numbers of these.
     """
-    n, some = len(mesh.nodes), Mesh(mesh.nodes, mesh.elements[marked])
-    m = len(some.elements)
+    n, part = len(mesh.nodes), Mesh(mesh.nodes, mesh.elements[marked])
+    m = len(part.elements)
     number = np.full((m, 5, 5), -1)
-    number[:, ::2, ::2] = some.elements[:, GRID]
+    number[:, ::2, ::2] = part.elements[:, GRID]
     quarter = _quarters(mesh)
     # two neighbors run along their common side in opposite directions
-    first, second, middle = np.moveaxis(some.elements[:, SIDES], 2, 0)
+    first, second, middle = np.moveaxis(part.elements[:, SIDES], 2, 0)
     lacking = np.unique(middle[quarter[middle, 0] < 0])
     quarter[lacking] = n + np.arange(2 * len(lacking)).reshape(-1, 2)
     for k, later in enumerate((first > second, first < second)):
@@ -63,10 +63,10 @@ def split(mesh: Mesh, marked: Flags, arcs: Sequence[Segment] = ()) -> tuple[Mesh
     count = n + 2 * len(lacking)
     number[:, inner[:, 0], inner[:, 1]] = count + np.arange(m * len(inner)).reshape(m, -1)
     nodes = np.empty((count + m * len(inner), 2))
-    nodes[number] = _between(_between(some.xy[:, GRID], 1), 2)
+    nodes[number] = _between(_between(part.xy[:, GRID], 1), 2)
     nodes[:n] = mesh.nodes
     for arc in arcs:
-        _put_onto(arc, some, nodes, number)
+        _put_onto(arc, part, nodes, number)
     parent = np.repeat(np.arange(len(marked)), np.where(marked, 4, 1))
     elements = mesh.elements[parent]
     elements[marked[parent]] = number[:, _ROWS, _COLUMNS].reshape(4 * m, 9)
@@ -75,10 +75,10 @@ def split(mesh: Mesh, marked: Flags, arcs: Sequence[Segment] = ()) -> tuple[Mesh
 
 def _quarters(mesh: Mesh) -> Integers:
     """Return the nodes that hang on each middle of a side, (n, 2), that near the end of lower number first, or -1."""
-    found = np.full((len(mesh.nodes), 2), -1)
+    quarters = np.full((len(mesh.nodes), 2), -1)
     node, near, middle, far = find_hanging(mesh.elements).T
-    found[middle, (near > far).astype(np.int64)] = node
-    return found
+    quarters[middle, (near > far).astype(np.int64)] = node
+    return quarters
 
 
 def close(mesh: Mesh, marked: Flags, whole: Integers) -> Flags:
@@ -100,11 +100,11 @@ def close(mesh: Mesh, marked: Flags, whole: Integers) -> Flags:
     across = larger[elements[here, 4 + side]]
     pairs = here != across
     one, other = np.concatenate([small, here[pairs], across[pairs]]), np.concatenate([on, across[pairs], here[pairs]])
-    found, before = marked.copy(), np.zeros(m, dtype=bool)
-    while (found != before).any():
-        before = found.copy()
-        found[other[found[one]]] = True
-    return found
+    cut, before = marked.copy(), np.zeros(m, dtype=bool)
+    while (cut != before).any():
+        before = cut.copy()
+        cut[other[cut[one]]] = True
+    return cut
 
 
 def _between(xy: Array, axis: int) -> Array:

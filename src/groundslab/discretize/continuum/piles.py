@@ -21,23 +21,23 @@ SLICES = 200
 
 def pile_group(model: Model, bearing: Bearing, cells: Cells) -> PileGroup | None:
     """Return the piles of a model, None if it has none."""
-    numbers = [n for n, each in enumerate(model.supports) if isinstance(each, supports.Pile)]
+    numbers = [n for n, pile in enumerate(model.supports) if isinstance(pile, supports.Pile)]
     if not numbers:
         return None
-    described = [each for each in model.supports if isinstance(each, supports.Pile)]
+    described = [pile for pile in model.supports if isinstance(pile, supports.Pile)]
     assert isinstance(model.ground, ContinuousGround)
-    piles = tuple(pile_in_soil(each, model.ground) for each in described)
+    piles = tuple(pile_in_soil(pile, model.ground) for pile in described)
     of = np.array([int(np.flatnonzero(bearing.support == n)[0]) for n in numbers])
-    place = np.array([(each.x, each.y) for each in described])
-    lower = np.array([-math.inf if each.limit_tension is None else -each.limit_tension for each in described])
-    upper = np.array([math.inf if each.limit is None else each.limit for each in described])
+    place = np.array([(pile.x, pile.y) for pile in described])
+    lower = np.array([-math.inf if pile.limit_tension is None else -pile.limit_tension for pile in described])
+    upper = np.array([math.inf if pile.limit is None else pile.limit for pile in described])
     return make_pile_group(piles, place, of, cells.center, lower, upper)
 
 
 def pile_in_soil(described: supports.Pile, ground: ContinuousGround) -> Pile:
     """Return a pile with the soil along it: G at its base and below, the mean of G over that, and the mean of nu."""
     z = described.length * (np.arange(SLICES) + 0.5) / SLICES
-    G, nu = np.array([_soil(ground, each) for each in z]).T
+    G, nu = np.array([_soil(ground, depth) for depth in z]).T
     below = _soil(ground, described.length * (1 + 0.5 / SLICES))[0]
     return Pile(
         length=described.length,

@@ -50,12 +50,12 @@ def elastic_ground(
         found = f"{grid.nx} x {grid.ny} cells of pressure"
         raise InputError([Issue("ground.cell", found, f"at most {MOST_CELLS:,} cells", "larger cells, or elements")])
     moving, kind, P, _ = connect(plan.mesh.elements)
-    own = plan.plate_elements
-    w = element.w_functions(xy) @ P[kind[own]]
-    cells = cover(grid, xy, elements, len(plan.mesh.nodes), w, plan.plate, moving[own])
+    numbers = plan.plate_elements
+    w = element.w_functions(xy) @ P[kind[numbers]]
+    cells = cover(grid, xy, elements, len(plan.mesh.nodes), w, plan.plate, moving[numbers])
     void = _depths(model, cells.center, coarsening == 0)
     limit = math.inf if model.contact.limit_pressure is None else model.contact.limit_pressure
-    load = sum(float(each.load[:, W].sum()) for each in cases)
+    load = sum(float(case.load[:, W].sum()) for case in cases)
     depth = find_limit_depth(ground, cells, load) if isinstance(ground, ConstrainedModulus) else None
     medium = medium_of(ground, ground.layers, depth or math.inf)
     columns = None
@@ -79,8 +79,8 @@ def _gaps(model: Model, cells: Cells, void: Array) -> Array:
     """Return the initial gap of cells (c,) [m], with voids of some depth (c,) [m]."""
     gap = model.contact.gap + void
     if model.contact.gaps:
-        known = np.array([(point.x, point.y, point.gap) for point in model.contact.gaps])
-        gap = gap + interpolate_smoothly(known[:, :2], known[:, 2], cells.center)
+        points = np.array([(point.x, point.y, point.gap) for point in model.contact.gaps])
+        gap = gap + interpolate_smoothly(points[:, :2], points[:, 2], cells.center)
     return gap
 
 
@@ -89,18 +89,18 @@ def _columns(
 ) -> Columns:
     """Return the columns of boreholes, between which settlements are interpolated as layers are elsewhere."""
     media = tuple(medium_of(ground, hole.layers, depth) for hole in holes)
-    known = np.array([(hole.x, hole.y) for hole in holes])
+    at_holes = np.array([(hole.x, hole.y) for hole in holes])
 
     def weights_at(places: Array) -> Array:
-        weights = interpolate_linearly(known, np.eye(len(holes)), places)
-        found: Array = weights / weights.sum(axis=1, keepdims=True)
-        return found
+        weights = interpolate_linearly(at_holes, np.eye(len(holes)), places)
+        normalized: Array = weights / weights.sum(axis=1, keepdims=True)
+        return normalized
 
     weights = weights_at(cells.center)
     # waves as long as the plate settle most
     k = np.array([np.pi / max(grid.nx * grid.dx, grid.ny * grid.dy)])
-    ratios = np.array([float((each.compliance(k) / mean.compliance(k))[0]) for each in media])
-    operators = tuple(make_operator(each, grid) for each in media)
+    ratios = np.array([float((medium.compliance(k) / mean.compliance(k))[0]) for medium in media])
+    operators = tuple(make_operator(medium, grid) for medium in media)
     return Columns(media, operators, weights_at, weights, np.sqrt(weights @ ratios))
 
 

@@ -36,16 +36,16 @@ def add_borders(plan: Plan, rings: tuple[Ring, ...]) -> Plan:
     lines = _coordinates(plan)
     curved = not plan.rectilinear or meshing.available()
     domain = plan.domain_polygon(FLAT * plan.extent)
-    for ring in (part for each in rings[:MOST_BORDERS] for part in _clip(each, plan, domain)):
-        own = _move(ring, lines, TOO_CLOSE * plan.extent) if ring.rectilinear else ring
-        if _coarse_enough(own, plan) and (curved or own.rectilinear):
-            kept.append(own)
+    for ring in (part for border in rings[:MOST_BORDERS] for part in _clip(border, plan, domain)):
+        moved = _move(ring, lines, TOO_CLOSE * plan.extent) if ring.rectilinear else ring
+        if _coarse_enough(moved, plan) and (curved or moved.rectilinear):
+            kept.append(moved)
     while kept:
-        found = replace(plan, borders=tuple(kept))
-        refused = {max(map(int, named)) for issue in find_issues(found)
+        trial = replace(plan, borders=tuple(kept))
+        refused = {max(map(int, named)) for issue in find_issues(trial)
                    if (named := re.findall(r"borders\[(\d+)\]", f"{issue.location} {issue.found}"))}  # fmt: skip
         if not refused:
-            return found
+            return trial
         kept = [ring for number, ring in enumerate(kept, start=1) if number not in refused]
     return plan
 
@@ -62,13 +62,13 @@ def _clip(ring: Ring, plan: Plan, domain: Polygon | MultiPolygon) -> list[Ring]:
     import shapely
 
     chord = FLAT * plan.extent
-    own = ring.polygon(chord)
-    if not own.is_valid or not own.boundary.intersects(domain.buffer(-2 * chord)):
+    polygon = ring.polygon(chord)
+    if not polygon.is_valid or not polygon.boundary.intersects(domain.buffer(-2 * chord)):
         return []
     edge = plan.outlines if plan.beyond is None else (plan.beyond,)
-    if not (ring.straight and all(each.straight for each in edge)) or domain.contains(own):
+    if not (ring.straight and all(outline.straight for outline in edge)) or domain.contains(polygon):
         return [ring]
-    parts = shapely.get_parts(own.intersection(domain))
+    parts = shapely.get_parts(polygon.intersection(domain))
     return [_ring_around(part) for part in parts if part.geom_type == "Polygon" and part.area > 0]
 
 
@@ -87,15 +87,15 @@ def _move(ring: Ring, lines: tuple[list[float], list[float]], near: float) -> Ri
     """Return a ring along x and y, moved onto lines (ascending) nearer than `near` [m]; what is not becomes a line."""
     moved = []
     for place in ring.points:
-        own = []
-        for known, value in zip(lines, place, strict=True):
-            after = bisect(known, value)
-            nearest = min(known[max(after - 1, 0) : after + 1], key=lambda line: abs(line - value))
+        coordinates = []
+        for ascending, value in zip(lines, place, strict=True):
+            after = bisect(ascending, value)
+            nearest = min(ascending[max(after - 1, 0) : after + 1], key=lambda line: abs(line - value))
             if abs(nearest - value) >= near:
                 nearest = value
-                known.insert(after, value)
-            own.append(nearest)
-        moved.append((own[0], own[1]))
+                ascending.insert(after, value)
+            coordinates.append(nearest)
+        moved.append((coordinates[0], coordinates[1]))
     return Ring(tuple(moved))
 
 

@@ -38,17 +38,17 @@ def follow_kinks(plan: Plan, model: Model, axes: list[Segment]) -> Plan:
         return plan
     chord, same = FLAT * plan.extent, same_place_in(plan)
     on_axes = shapely.union_all(flatten(axes, chord)).buffer(max(same, 2 * chord))
-    there = [ring.polygon(chord).exterior for ring in plan.rings().values()] + flatten(plan.line_segments(), chord)
-    there += [shapely.Point(point) for point in plan.points]
+    drawn = [ring.polygon(chord).exterior for ring in plan.rings().values()] + flatten(plan.line_segments(), chord)
+    drawn += [shapely.Point(point) for point in plan.points]
     near = CLEAR * min(plate.thickness for plate in model.every_plate)
-    corners = shapely.multipoints(shapely.get_coordinates(there))
+    corners = shapely.multipoints(shapely.get_coordinates(drawn))
     kept: list[Place] = []
     for place in kinks:
-        own = shapely.Point(place)
-        new = on_axes.covers(own) and own.distance(corners) > same
-        if new and len(kept) < MOST_BORDERS and all(_clear(own, each, same, near) for each in there):
+        kink = shapely.Point(place)
+        new = on_axes.covers(kink) and kink.distance(corners) > same
+        if new and len(kept) < MOST_BORDERS and all(_clear(kink, shape, same, near) for shape in drawn):
             kept.append(place)
-            there.append(own)
+            drawn.append(kink)
     return replace(plan, points=(*plan.points, *kept))
 
 
@@ -76,13 +76,13 @@ def _follow(plan: Plan, rings: tuple[Ring, ...], lines: tuple[Line, ...], thickn
     from shapely import LineString
 
     chord = FLAT * plan.extent
-    there = [ring.polygon(chord).exterior for ring in plan.rings().values()] + flatten(plan.line_segments(), chord)
+    drawn = [ring.polygon(chord).exterior for ring in plan.rings().values()] + flatten(plan.line_segments(), chord)
     same = same_place_in(plan)
 
     def is_clear(own: LineString, near: float) -> bool:
-        clear = all(_clear(own, other, same, near) for other in there)
+        clear = all(_clear(own, other, same, near) for other in drawn)
         if clear:
-            there.append(own)
+            drawn.append(own)
         return clear
 
     followed = [
@@ -119,10 +119,10 @@ def _add_lines(plan: Plan, lines: tuple[Line, ...]) -> Plan:
     ends = [shapely.get_coordinates(piece)[[0, -1]] for piece in pieces if piece.geom_type == "LineString"]
     kept: list[Line] = [((float(ax), float(ay)), (float(bx), float(by))) for (ax, ay), (bx, by) in ends]
     while kept:
-        found = replace(plan, lines=(*plan.lines, *kept))
-        issues = " ".join(f"{issue.location} {issue.found}" for issue in find_issues(found))
+        trial = replace(plan, lines=(*plan.lines, *kept))
+        issues = " ".join(f"{issue.location} {issue.found}" for issue in find_issues(trial))
         refused = {int(number) - len(plan.lines) for number in re.findall(r"plate\.lines\[(\d+)\]", issues)}
         if not refused:
-            return found
+            return trial
         kept = [line for number, line in enumerate(kept, start=1) if number not in refused]
     return plan

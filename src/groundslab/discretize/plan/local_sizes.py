@@ -39,18 +39,18 @@ def local_sizes(model: Model) -> Sources | None:
     Footprints and elastic length count where the mesh is adaptive: elements that do not see them cannot tell their
     error either.
     """
-    found: list[tuple[Array, float]] = []
-    found += [(_places(part.shape.ring(), part.size), SURE * part.size) for part in model.mesh.refine]
+    sizes: list[tuple[Array, float]] = []
+    sizes += [(_places(part.shape.ring(), part.size), SURE * part.size) for part in model.mesh.refine]
     if model.mesh.adaptive:
         for plate in model.every_plate:
-            found += _sizes_on(plate, model)
+            sizes += _sizes_on(plate, model)
         footprints = [*_footprints(model)]
         across = ACROSS if len(footprints) <= MANY else ACROSS / 2
-        found += [(places, width / across) for places, width in map(_inside, footprints)]
-    if not found:
+        sizes += [(places, width / across) for places, width in map(_inside, footprints)]
+    if not sizes:
         return None
-    places = np.concatenate([where for where, _ in found])
-    return places, np.concatenate([np.full(len(where), size) for where, size in found])
+    places = np.concatenate([where for where, _ in sizes])
+    return places, np.concatenate([np.full(len(where), size) for where, size in sizes])
 
 
 def _sizes_on(plate: AnyPlate, model: Model) -> Iterator[tuple[Array, float]]:
@@ -66,7 +66,7 @@ def _elastic_length(plate: AnyPlate, model: Model) -> float:
     """Return the least elastic length (D / k)^(1/4) [m], k being the pressure on the ground over its settlement."""
     parts = [(plate.E, plate.nu, plate.thickness)]
     parts += [(zone.E or plate.E, zone.nu or plate.nu, zone.thickness or plate.thickness) for zone in plate.zones]
-    grounds = [each if isinstance(each, Column) else each.first_column() for each in grounds_of(model)]
+    grounds = [ground if isinstance(ground, Column) else ground.first_column() for ground in grounds_of(model)]
     k = max(1 / float(np.linalg.inv(column.A0)[0, 0]) for column in grounds)
     return float((min(bending_rigidity(*part)[0, 0] for part in parts) / k) ** 0.25)
 

@@ -54,7 +54,7 @@ def cracked_sections(model: Model, section: Integers, centers: Array) -> Cracked
         shrinkage_I=shrinkage_I,
         shrinkage=shrinkage,
         nu=nu,
-        shear=np.array([plate.shear_rigidity(*each, model.plate.shear_factor) for each in zip(E, nu, h, strict=True)]),
+        shear=np.array([plate.shear_rigidity(*part, model.plate.shear_factor) for part in zip(E, nu, h, strict=True)]),
         beta=np.full(len(h), BETA[cracking.duration]),
     )
 
