@@ -40,8 +40,8 @@ class Section(metaclass=SectionType):
             pairs = zip(keys, map(describe, unnamed), strict=False)
             hint = f"write {name}({', '.join(f'{key}={value}' for key, value in pairs)}), if that is what is meant"
             raise InputError([Issue(name, f"{len(unnamed)} values without names", "values by name", hint)])
-        made = self._read_or_refuse(data, from_file=False)
-        vars(self).update(vars(made))
+        section = self._read_or_refuse(data, from_file=False)
+        vars(self).update(vars(section))
 
     @classmethod
     def summary(cls) -> str:
@@ -109,7 +109,7 @@ class Section(metaclass=SectionType):
             if len(faults) == before:
                 sound[name] = value
         faults += [[_unknown_key(cls, key, data)] for key in data if key not in fields]
-        relative_issues = [issue for each in faults[:MOST_ISSUES] for issue in each]
+        relative_issues = [issue for fault in faults[:MOST_ISSUES] for issue in fault]
         if len(faults) > MOST_ISSUES:
             relative_issues.append(_too_many_issues(len(faults)))
         given = {
@@ -118,10 +118,10 @@ class Section(metaclass=SectionType):
             if name in fields and (from_file or name not in sound or sound[name] != fields[name].default)
         }
         sound = cls.derive(sound, named)
-        known = sound.keys() | {"given"}
+        names = sound.keys() | {"given"}
         for check in cls.checks:
             needs = _needs(check)
-            if known >= needs:
+            if names >= needs:
                 relative_issues += check(**{name: given if name == "given" else sound[name] for name in needs})
         relative_issues = _say_what_follows(cls, data, relative_issues)
         if relative_issues:
@@ -131,9 +131,9 @@ class Section(metaclass=SectionType):
     @classmethod
     def _of(cls, values: Mapping[str, Any], given: Any) -> Self:
         """Return a section with values of all fields, of which some were given."""
-        made = object.__new__(cls)
-        vars(made).update(values, _given=frozenset(given))
-        return made
+        section = object.__new__(cls)
+        vars(section).update(values, _given=frozenset(given))
+        return section
 
     def replace(self, **changes: Any) -> Self:
         """Return a copy with some fields changed, validated again; a place that is changed follows no axes any more.
@@ -173,8 +173,8 @@ class Section(metaclass=SectionType):
     @property
     def model_fields_set(self) -> frozenset[str]:
         """Return the keys that were given."""
-        given: frozenset[str] = vars(self)["_given"]
-        return given
+        keys: frozenset[str] = vars(self)["_given"]
+        return keys
 
     def model_dump(self) -> dict[str, Any]:
         """Return the values of all fields in SI units, those of sections in it as such tables too."""
@@ -346,12 +346,12 @@ def _none_given(cls: type[Section], name: str, value: object) -> RelativeIssue:
 
 def _unknown_key(cls: type[Section], key: Any, data: Mapping[Any, Any]) -> RelativeIssue:
     """Return the issue of a key that a section does not have."""
-    known = list(cls.model_fields)
+    keys = list(cls.model_fields)
     place = (str(key),)
-    nearest = find_nearest(key, known)
+    nearest = find_nearest(key, keys)
     renames = () if nearest is None or nearest in data else (rename_key(place, nearest),)
     repairs = (*renames, remove(place)) if place[0] in data else ()
-    return RelativeIssue(place, "an unknown key", f"one of {', '.join(known)}", suggestion(key, known), repairs)
+    return RelativeIssue(place, "an unknown key", f"one of {', '.join(keys)}", suggestion(key, keys), repairs)
 
 
 def _no_kind(parts: tuple[type[Section], ...], value: Any) -> RelativeIssue:
@@ -359,6 +359,6 @@ def _no_kind(parts: tuple[type[Section], ...], value: Any) -> RelativeIssue:
     if not isinstance(value, Mapping):
         return _not_a_table((), value)
     tags = list(sections_by_kind(parts))
-    given = value.get("kind")
-    hint, repairs = suggestion(given, tags), use_nearest(("kind",), given, tags)
-    return RelativeIssue(("kind",), describe(given), listed(map(quote, tags)), hint, repairs)
+    kind = value.get("kind")
+    hint, repairs = suggestion(kind, tags), use_nearest(("kind",), kind, tags)
+    return RelativeIssue(("kind",), describe(kind), listed(map(quote, tags)), hint, repairs)

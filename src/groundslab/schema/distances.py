@@ -35,21 +35,21 @@ class Distances(FieldType):
     def read(self, value: Any, from_file: bool) -> tuple[float, ...]:
         """Return the distances; raises FieldError."""
         if isinstance(value, str):
-            found = tuple(distance for part in re.split("[,;]", value) for distance in self._repeated(part, value))
+            distances = tuple(distance for part in re.split("[,;]", value) for distance in self._repeated(part, value))
         elif isinstance(value, list | tuple) and not from_file:
-            found = tuple(float(_EACH.read(each, from_file=False)) for each in value)
+            distances = tuple(float(_EACH.read(item, from_file=False)) for item in value)
         else:
             raise field_error(value, self.expected())
-        if not 0 < len(found) <= MOST:
+        if not 0 < len(distances) <= MOST:
             raise field_error(value, f"{self.expected()}, at most {MOST}")
-        return found
+        return distances
 
     def _repeated(self, part: str, whole: str) -> tuple[float, ...]:
         """Return the distances that one part of a text stands for."""
         repeated = _REPEATED.fullmatch(part)
-        count, one = (int(repeated[1]), repeated[2]) if repeated else (1, part)
+        count, text = (int(repeated[1]), repeated[2]) if repeated else (1, part)
         try:
-            return (float(_EACH.read(one.strip(), from_file=True)),) * count
+            return (float(_EACH.read(text.strip(), from_file=True)),) * count
         except FieldError:
             hint = "write each with its unit, and a comma between them"
             raise field_error(whole, self.expected(), hint) from None

@@ -67,7 +67,7 @@ def require(value: object, *kinds: type, name: str) -> None:
     if isinstance(value, kinds):
         return
     names = [kind.__name__ for kind in kinds if kind is not Path]
-    reader = next((_READ[each] for each in names if each in _READ), None)
+    reader = next((_READ[word] for word in names if word in _READ), None)
     hint = ""
     if names == ["Results"] and type(value).__name__ == "CombinationResult":
         hint = "give the results of all combinations, as groundslab.solve returns them"
@@ -76,7 +76,7 @@ def require(value: object, *kinds: type, name: str) -> None:
     elif type(value).__name__ in ("PlateResult", "ElementResult", "GroundResult"):
         hint = "it is a part of results: give the results themselves"
     found = describe(str(value) if isinstance(value, Path) else value)
-    raise InputError([Issue(name, found, listed([_called(each) for each in names]), hint)])
+    raise InputError([Issue(name, found, listed([_called(word) for word in names]), hint)])
 
 
 def _called(name: str) -> str:

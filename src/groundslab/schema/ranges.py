@@ -28,10 +28,10 @@ def limit_text(value: float, dimension: str) -> str:
     """Return a limit of a quantity [SI] with its unit, 0 without one."""
     if value == 0:
         return "0"
-    known = units.DIMENSIONS[dimension]
-    if known.smallest < abs(value) < known.largest and abs(value) >= 1e-3:
+    quantity = units.DIMENSIONS[dimension]
+    if quantity.smallest < abs(value) < quantity.largest and abs(value) >= 1e-3:
         return units.show(value, dimension)
-    return f"{short(100 * value if known.si == '%' else value)} {known.si}"
+    return f"{short(100 * value if quantity.si == '%' else value)} {quantity.si}"
 
 
 @dataclass(frozen=True, slots=True)
@@ -104,11 +104,11 @@ def quantity_range(limits: Range, dimension: str) -> Range:
 
     What must be positive has a smallest size; what may be zero or negative has a largest one only.
     """
-    known = units.DIMENSIONS[dimension]
+    quantity = units.DIMENSIONS[dimension]
     lowest = limits.at_least
     if lowest is None:
-        lowest = -known.largest if limits.above is None else known.smallest if limits.above == 0 else None
-    highest = known.largest if limits.below is None and limits.at_most is None else limits.at_most
+        lowest = -quantity.largest if limits.above is None else quantity.smallest if limits.above == 0 else None
+    highest = quantity.largest if limits.below is None and limits.at_most is None else limits.at_most
     return replace(limits, at_least=lowest, at_most=highest)
 
 

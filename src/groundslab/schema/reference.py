@@ -65,11 +65,11 @@ def _field_schema(field: Field, definitions: dict[str, Any]) -> dict[str, Any]:
             definitions[part.__name__] = {}  # reserved, so that it is not entered twice
             definitions[part.__name__] = _part_schema(part, definitions)
     references = [{"$ref": f"#/definitions/{part.__name__}"} for part in inner.parts]
-    one = references[0] if len(references) == 1 else {"oneOf": references}
+    item = references[0] if len(references) == 1 else {"oneOf": references}
     if inner.many:
         least = {"minItems": 1} if field.required else {}
-        return {"description": about, "type": "array", "items": one, **least, "maxItems": field.most}
-    return {"description": about, "allOf": [one]} if len(references) == 1 else {"description": about, **one}
+        return {"description": about, "type": "array", "items": item, **least, "maxItems": field.most}
+    return {"description": about, "allOf": [item]} if len(references) == 1 else {"description": about, **item}
 
 
 def _default_schema(field: Field, key: FieldType) -> dict[str, Any]:

@@ -75,9 +75,9 @@ def add_unit(value: object, dimension: str, limits: ranges.Range) -> Iterator[Re
     text = str(value).strip()
     if not re.fullmatch(units.NUMBER, text):
         return
-    known, limits = units.DIMENSIONS[dimension], ranges.quantity_range(limits, dimension)
-    usual = known.example.split(" ", 1)[1]
-    for size, unit in sorted(known.steps, key=lambda step: step[1] != usual):
+    quantity, limits = units.DIMENSIONS[dimension], ranges.quantity_range(limits, dimension)
+    usual = quantity.example.split(" ", 1)[1]
+    for size, unit in sorted(quantity.steps, key=lambda step: step[1] != usual):
         if limits.holds(float(text) * size):
             yield set_value((), f"{text} {unit}", f"{text} {unit}")
 

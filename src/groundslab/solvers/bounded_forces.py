@@ -100,8 +100,8 @@ def solve(
     if p.approximate is None:
         return iterate(p, x, tolerance, limit, report)
     x, used = correct(p, p.approximate, x, tolerance, limit)
-    found = iterate(p, x, tolerance, limit - used, report)
-    return replace(found, products=found.products + used)
+    solution = iterate(p, x, tolerance, limit - used, report)
+    return replace(solution, products=solution.products + used)
 
 
 def iterate(
@@ -156,10 +156,10 @@ def correct(
             break
         inner = replace(p, gaps=partial(_continue, approximate, x, g, scale), multiply=approximate, approximate=None)
         try:
-            found = iterate(inner, x, max(tolerance / 2, CORRECTED * error), MOST_CHEAP, lambda *_: None)
+            solution = iterate(inner, x, max(tolerance / 2, CORRECTED * error), MOST_CHEAP, lambda *_: None)
         except NotConverged:
             break
-        s = found.x - x
+        s = solution.x - x
         As = p.multiply(s)
         share = _best_share(g, s, As)
         share = 1.0 if share >= SHORT else share
@@ -228,14 +228,14 @@ def make_face(p: BoundedForces, x: Array, g: Array, free: Flags) -> Face:
     """Return the face of some free forces (n,) among forces x (n,) with gaps g (n,)."""
     combined = np.where(free, p.G, 0.0).T
     planes, to_alpha = [np.zeros((len(x), 0))], [np.zeros((len(p.G), 0))]
-    for own in _apart(p.G):
-        acting = p.G[own].any(axis=0)
-        found, size, rows = np.linalg.svd(combined[np.ix_(acting, own)], full_matrices=False)
-        known = size > DEPENDENT * size.max(initial=0.0)
-        back = np.zeros((len(x), int(known.sum())))
-        back[acting] = found[:, known]
-        multipliers = np.zeros((len(p.G), int(known.sum())))
-        multipliers[own] = -(rows[known].T / size[known])
+    for group in _apart(p.G):
+        acting = p.G[group].any(axis=0)
+        columns, size, rows = np.linalg.svd(combined[np.ix_(acting, group)], full_matrices=False)
+        independent = size > DEPENDENT * size.max(initial=0.0)
+        back = np.zeros((len(x), int(independent.sum())))
+        back[acting] = columns[:, independent]
+        multipliers = np.zeros((len(p.G), int(independent.sum())))
+        multipliers[group] = -(rows[independent].T / size[independent])
         planes.append(back)
         to_alpha.append(multipliers)
     return Face(p, free, np.hstack(planes), np.hstack(to_alpha), x, g, np.zeros(len(p.G)), g).move(x, g)
@@ -319,9 +319,9 @@ def balance(p: BoundedForces, x: Array, among: Flags, weight: Array | None = Non
     weight = p.weight if weight is None else weight
     everywhere = np.where(p.can_change, weight, 0.0)
     for W in (np.where(among, weight, 0.0), everywhere):
-        found = _project(p, x, W)
-        if found is not None:
-            return _project_again(p, found, W)
+        balanced = _project(p, x, W)
+        if balanced is not None:
+            return _project_again(p, balanced, W)
     return _project_again(p, _balance_by_program(p, p.clip(x)), everywhere)
 
 
@@ -343,17 +343,17 @@ def _balance_by_program(p: BoundedForces, x: Array) -> Array:
     missing = (p.e - p.G @ x) / rows
     unit = float(np.abs(missing).max()) / np.sqrt(len(x))
     more_or_less = np.concatenate([p.upper - x, x - p.lower]) / unit
-    found = linprog(
+    optimum = linprog(
         np.ones(2 * len(x)),
         A_eq=np.hstack([p.G, -p.G]) / rows[:, None],
         b_eq=missing / unit,
         bounds=np.column_stack([np.zeros(2 * len(x)), more_or_less]),
     )
-    if found.status == INFEASIBLE:
+    if optimum.status == INFEASIBLE:
         raise NoEquilibrium("forces between their bounds cannot balance the loads")
-    if found.status != 0:
+    if optimum.status != 0:
         raise NotConverged("the balance of forces between their bounds", [], {"x": x})
-    more, less = np.split(unit * found.x, 2)
+    more, less = np.split(unit * optimum.x, 2)
     return p.clip(x + more - less)
 
 

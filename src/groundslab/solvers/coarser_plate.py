@@ -57,23 +57,23 @@ def _press_centers(coarse: Problem, cells: Cells, size: int) -> csr_array:
 
     mesh = coarse.mesh
     element, place = locate_nearest(mesh, cells.center, coarse.plate.elements)
-    own, which = np.unique(element, return_inverse=True)
-    w = coarse.plate.element.w_functions(mesh.nodes[mesh.elements[own]])[which]
+    elements, which = np.unique(element, return_inverse=True)
+    w = coarse.plate.element.w_functions(mesh.nodes[mesh.elements[elements]])[which]
     moving, kind, P, _ = connect(mesh.elements)
     share = np.einsum("ca,cab,cbd->cd", q9(place)[0], w, P[kind[element]], optimize=True)
     unknown = coarse.unknown[moving[element], W]
     cell = np.broadcast_to(np.arange(len(cells.area))[:, None], unknown.shape)
-    there = unknown >= 0
-    return csr_array((-share[there], (unknown[there], cell[there])), shape=(size, len(cells.area)))
+    mask = unknown >= 0
+    return csr_array((-share[mask], (unknown[mask], cell[mask])), shape=(size, len(cells.area)))
 
 
 def _find_supports(coarse: Problem, problem: Problem) -> Integers:
     """Return for each force of a support (b,) which one of the coarser mesh is nearest to it, -1 if there is none."""
-    b, known = problem.contact.bearing, coarse.contact.bearing
-    found = np.full(len(b.law), -1)
+    b, coarser = problem.contact.bearing, coarse.contact.bearing
+    nearest = np.full(len(b.law), -1)
     for i, (number, field) in enumerate(zip(b.support, b.field, strict=True)):
-        alike = np.flatnonzero((known.support == number) & (known.field == field))
+        alike = np.flatnonzero((coarser.support == number) & (coarser.field == field))
         if len(alike):
-            offset = coarse.mesh.nodes[known.node[alike]] - problem.mesh.nodes[b.node[i]]
-            found[i] = alike[np.argmin(np.hypot(*offset.T))]
-    return found
+            offset = coarse.mesh.nodes[coarser.node[alike]] - problem.mesh.nodes[b.node[i]]
+            nearest[i] = alike[np.argmin(np.hypot(*offset.T))]
+    return nearest

@@ -29,8 +29,8 @@ def stiffness_ratio(s: System, column: Column) -> float:
 
 def plate_stiffness(s: System) -> float:
     """Return the largest stiffness of the plate's elements, of beams, or of the building against settlements [N/m]."""
-    own = s.problem.beams.deep
-    return float(max(np.abs(s.blocks.plate[:, :9, :9]).max(), _of_beams(s, own), _of_beams(s, ~own), _of_building(s)))
+    deep = s.problem.beams.deep
+    return float(max(np.abs(s.blocks.plate[:, :9, :9]).max(), _of_beams(s, deep), _of_beams(s, ~deep), _of_building(s)))
 
 
 def _of_beams(s: System, some: Flags) -> float:
@@ -80,4 +80,4 @@ def _ground(s: System, column: Column) -> float:
 
 def _size(problem: Problem) -> float:
     """Return the length of the meshed part of the longest plate [m]."""
-    return max(float(np.ptp(problem.mesh.nodes[own.plate.nodes], axis=0).max()) for own, _ in single_plates(problem))
+    return max(float(np.ptp(problem.mesh.nodes[part.plate.nodes], axis=0).max()) for part, _ in single_plates(problem))

@@ -92,15 +92,15 @@ def solve(
     progress = _Progress(len(b))
     inside: Contact | None = None
     while len(history) < limit:
-        found = None if floating.in_states(state) else _solve_states(problem, state, factorization, near)
-        if found is not None:
-            after = _next_states(problem, found, measures)
+        solution = None if floating.in_states(state) else _solve_states(problem, state, factorization, near)
+        if solution is not None:
+            after = _next_states(problem, solution, measures)
             wrong = after != state
             record(state, int(wrong.sum()))
             if not wrong.any():
-                return found
+                return solution
             # close to a cycle decisions must not rest on the residual of conjugate gradients
-            last, near = found.u, found.u if progress.update(state, wrong) else None
+            last, near = solution.u, solution.u if progress.update(state, wrong) else None
             state = after
             if inside is not None or not progress.stalled:
                 continue

@@ -48,12 +48,12 @@ def with_stiffness(s: System, B: Array) -> System:
         couples = plate.free_couples(xy, D, free) - plate.free_couples(xy, before, problem.loading.free_curvature)
         for field, couple in zip((BETA_X, BETA_Y), couples, strict=True):
             load[:, field] += collect(problem.mesh.elements, scatter(elements, couple, len(load)))
-    own = replace(
+    cracked = replace(
         problem,
         plate=replace(problem.plate, bending=D, shear=law.shear, rigidity=np.arange(len(elements)), stiffness=B),
         loading=replace(problem.loading, load=load, free_curvature=free),
     )
-    return System(own, s.pattern, blocks(own), s.beams, s.building)
+    return System(cracked, s.pattern, blocks(cracked), s.beams, s.building)
 
 
 def mean_moments(problem: Problem, U: Array) -> Array:
@@ -70,5 +70,5 @@ def mean_moments(problem: Problem, U: Array) -> Array:
 def error_of_law(problem: Problem, U: Array) -> float:
     """Return by how much the moments of a cracked plate are off its sections' law, over the largest moment."""
     assert problem.plate.stiffness is not None
-    found, M = secant_stiffness(laws(problem), problem.plate.stiffness, mean_moments(problem, U))
-    return law_error(found, M, problem.plate.stiffness)
+    secant, M = secant_stiffness(laws(problem), problem.plate.stiffness, mean_moments(problem, U))
+    return law_error(secant, M, problem.plate.stiffness)

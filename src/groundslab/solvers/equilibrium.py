@@ -100,8 +100,8 @@ def rigid_motions(problem: Problem) -> Array:
     # where the plate goes the ground does not go with it
     moved = np.concatenate([moved, -moved[:, [W]]], axis=1)[nodes]
     motions = np.zeros((unknown.max(initial=-1) + 1, moved.shape[2]))
-    there = unknown[nodes, : TOP + 1] >= 0
-    motions[unknown[nodes, : TOP + 1][there]] = moved[there]
+    mask = unknown[nodes, : TOP + 1] >= 0
+    motions[unknown[nodes, : TOP + 1][mask]] = moved[mask]
     return motions
 
 
@@ -114,12 +114,12 @@ def require_hold(problem: Problem, contact: Contact, pressing: Array | None = No
     if not problem.contact.tensionless:
         return
     elastic = problem.elastic
-    for plates, own in joined_plates(problem):
+    for plates, mask in joined_plates(problem):
         pressed = None
         if elastic is not None and pressing is not None:
             numbers = [problem.plate.names.index(name) for name in plates.plate.names]
             pressed = pressing[np.isin(elastic.cells.plate, numbers)]
-        _require_plates_held(plates, contact.state[own], contact.force[own], pressed, _prefix(problem, plates))
+        _require_plates_held(plates, contact.state[mask], contact.force[mask], pressed, _prefix(problem, plates))
 
 
 def _require_plates_held(problem: Problem, state: Integers, force: Array, pressing: Array | None, prefix: str) -> None:
@@ -206,9 +206,13 @@ def _one_way(problem: Problem) -> _OneWay:
     """Return all that acts on plates one way."""
     b, elastic = problem.contact.bearing, problem.elastic
     law = b.law
-    own = ~law.bilateral & (b.field <= TOP)
-    up = np.where(b.support[own] < 0, 1.0, -law.sign[own])
-    row, limit_force, support = motion_rows(problem, b.node[own], b.field[own]), law.limit_force[own], b.support[own]
+    mask = ~law.bilateral & (b.field <= TOP)
+    up = np.where(b.support[mask] < 0, 1.0, -law.sign[mask])
+    row, limit_force, support = (
+        motion_rows(problem, b.node[mask], b.field[mask]),
+        law.limit_force[mask],
+        b.support[mask],
+    )
     if elastic is not None:
         cells = len(elastic.gap)
         up, support = np.append(up, np.ones(cells)), np.append(support, np.full(cells, -1))
@@ -253,17 +257,17 @@ def _share_balanced(problem: Problem, motions: Array, scale: Array, work: Array,
     capacity = b.limit_force[use] / size
     little = margin * np.minimum(capacity, 1 / len(use))
     bounds = [(low, None if np.isinf(high) else high - low) for low, high in zip(little, capacity, strict=True)]
-    found = linprog(
+    optimum = linprog(
         np.append(np.zeros(len(use)), -1.0),
         A_eq=np.column_stack([generators.T, -work / size]),
         b_eq=np.zeros(len(work)),
         bounds=[*bounds, (0.0, 1.0)],
         method="highs",
     )
-    if found.status != 0:
+    if optimum.status != 0:
         return 0.0, full
-    full[use] = found.x[:-1] >= capacity - 2 * little
-    return float(found.x[-1]), full
+    full[use] = optimum.x[:-1] >= capacity - 2 * little
+    return float(optimum.x[-1]), full
 
 
 def _extreme_points(problem: Problem) -> Array:

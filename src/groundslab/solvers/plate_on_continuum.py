@@ -63,10 +63,8 @@ def make_plate_on_continuum(s: System, A: Symmetric, factorization: CachedFactor
     fixed[_holding(R, problem.unknown[:, W])] = True
     spread = ground.cells.spread.tocoo()
     unknown = problem.unknown[spread.coords[0], W]
-    there = unknown >= 0
-    pressed = coo_array(
-        (-spread.data[there], (unknown[there], spread.coords[1][there])), shape=(A.size, spread.shape[1])
-    )
+    mask = unknown >= 0
+    pressed = coo_array((-spread.data[mask], (unknown[mask], spread.coords[1][mask])), shape=(A.size, spread.shape[1]))
     law = problem.contact.bearing.law
     pushed = coo_array((law.sign, (law.unknown, np.arange(len(law)))), shape=(A.size, len(law)))
     sheet = problem.plate
@@ -92,7 +90,7 @@ def bound_forces(
     about the settlements of the plate that they cause, for less than a substitution.
     """
     c, ground, settle = len(p.ground.gap), p.ground, _settling(p.ground, law)
-    own = np.concatenate([ground.gap + further, -law.sign * law.offset])
+    initial = np.concatenate([ground.gap + further, -law.sign * law.offset])
     C, Ct, G = p.C, p.C.T.tocsr(), (p.C.T @ p.R).T
     planes_of_gaps = np.linalg.qr(G.T)[0]
     part = None
@@ -104,7 +102,7 @@ def bound_forces(
         shape = bent - planes_of_gaps @ (planes_of_gaps.T @ bent)
         with_further = np.concatenate([np.abs(settled[:c] + further), np.zeros(len(settled) - c)])
         sizes = np.maximum.reduce([np.abs(settled), with_further, np.abs(shape)])
-        return settled + bent + own, largest_of_parts(sizes, part)
+        return settled + bent + initial, largest_of_parts(sizes, part)
 
     def multiply(x: Array) -> Array:
         bent: Array = Ct @ p.solve(C @ x)
@@ -181,8 +179,8 @@ def _rigid_motions(problem: Problem, size: int) -> Array:
     for number, motion in enumerate(np.moveaxis(moved, 2, 0)):
         U = np.pad(motion, ((0, 0), (0, problem.unknown.shape[1] - TOP)))
         R[problem.unknown[has], number] = problem.with_followers(U)[has]
-    for (first, second), own in zip(links.nodes[slips], links.fields[slips], strict=True):
-        field = TOP + 1 + int(np.flatnonzero(own[TOP + 1 :])[0])
+    for (first, second), mask in zip(links.nodes[slips], links.fields[slips], strict=True):
+        field = TOP + 1 + int(np.flatnonzero(mask[TOP + 1 :])[0])
         R[problem.unknown[second, field]] = moved[first, W] - moved[second, W]
     return R
 
@@ -191,7 +189,7 @@ def _holding(R: Array, settlements: Integers) -> Integers:
     """Return as many settlements among the unknowns as hold the rigid motions (size, r)."""
     from scipy.linalg import qr
 
-    own = settlements[settlements >= 0]
-    order = qr(R[own].T, pivoting=True, mode="r")[1]
-    found: Integers = own[order[: R.shape[1]]]
-    return found
+    unknowns = settlements[settlements >= 0]
+    order = qr(R[unknowns].T, pivoting=True, mode="r")[1]
+    chosen: Integers = unknowns[order[: R.shape[1]]]
+    return chosen

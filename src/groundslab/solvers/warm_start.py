@@ -44,14 +44,14 @@ def locate_nodes(before: Problem, problem: Problem) -> NodeLocations:
     """Return where a problem's nodes lie in the mesh of a coarser one."""
     coarse, nodes, under = before.mesh, problem.mesh.nodes, problem.plate.nodes
     element, place = locate_nearest(coarse, nodes)
-    own, there = element[under], place[under]
+    elements, places = element[under], place[under]
     # nodes on the plate's edge may have been found in an element beside it
     on_plate = np.zeros(len(coarse.elements), dtype=bool)
     on_plate[before.plate.elements] = True
-    astray = np.flatnonzero(~on_plate[own])
+    astray = np.flatnonzero(~on_plate[elements])
     if len(astray):
-        own[astray], there[astray] = locate_nearest(coarse, nodes[under[astray]], before.plate.elements)
-    return NodeLocations((element, place), (own, there))
+        elements[astray], places[astray] = locate_nearest(coarse, nodes[under[astray]], before.plate.elements)
+    return NodeLocations((element, place), (elements, places))
 
 
 def from_coarser(start: Solution, problem: Problem, at: NodeLocations) -> tuple[Integers, Array]:
@@ -61,8 +61,8 @@ def from_coarser(start: Solution, problem: Problem, at: NodeLocations) -> tuple[
     state = np.full(len(b.law), CLOSED)
     ground = np.flatnonzero(b.field == TOP)  # none, or one at each node of the plate that does not hang
     element, place = at.on_plate
-    own = np.searchsorted(under, b.node[ground])
-    at_own = element[own], place[own]
+    numbers = np.searchsorted(under, b.node[ground])
+    at_own = element[numbers], place[numbers]
     state[((b.support < 0) & (b.field != TOP)) | (b.field > TOP)] = OPEN  # bottoms of voids, and play
     if len(ground):
         touching = interpolate_bilinear(coarse, start.nodes_in(CLOSED, YIELDING), at_own) <= CLOSED_AT
@@ -133,13 +133,15 @@ def _solve_strip(
     numbers = np.flatnonzero(free)
     part = A.submatrix(numbers)
     load = (whole.f - A @ np.where(free, 0.0, u))[numbers]
-    own = law.select(which)
-    own = replace(own, unknown=(np.cumsum(free) - 1)[own.unknown])
+    bearings = law.select(which)
+    bearings = replace(bearings, unknown=(np.cumsum(free) - 1)[bearings.unknown])
     factorization = CachedFactorization(solver(part.indptr, part.indices))
-    found = contact.solve(ContactProblem(part, load, own), factorization, state[which], MAX_ITERATIONS, lambda *_: None)
+    solution = contact.solve(
+        ContactProblem(part, load, bearings), factorization, state[which], MAX_ITERATIONS, lambda *_: None
+    )
     state, u = state.copy(), u.copy()
-    state[which] = found.state
-    u[numbers] = found.u
+    state[which] = solution.state
+    u[numbers] = solution.u
     return state, u
 
 

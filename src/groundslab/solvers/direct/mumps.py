@@ -90,5 +90,5 @@ class Mumps:
         self.b.setArray(b[self.begin : self.end])
         self.ksp.solve(self.b, self.x)
         self.to_all.scatter(self.x, self.gathered)
-        found: Array = self.gathered.getArray().copy()
-        return found
+        solution: Array = self.gathered.getArray().copy()
+        return solution
