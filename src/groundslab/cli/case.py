@@ -226,14 +226,14 @@ def _layers(pairs: Sequence[str]) -> Layers:
     from groundslab.case.dxf.document import Layers
     from groundslab.schema.wording import describe, listed, suggestion
 
-    known = [field.name for field in fields(Layers)]
+    roles = [field.name for field in fields(Layers)]
     names: dict[str, str] = {}
     issues = []
     for pair in pairs:
         what, sign, name = pair.partition("=")
-        if not sign or what not in known:
-            expected = f"WHAT=NAME, WHAT being {listed(known)}"
-            issues.append(Issue("--layers", describe(pair), expected, suggestion(what, known)))
+        if not sign or what not in roles:
+            expected = f"WHAT=NAME, WHAT being {listed(roles)}"
+            issues.append(Issue("--layers", describe(pair), expected, suggestion(what, roles)))
         elif what in names:
             issues.append(Issue("--layers", f"{what} twice", "one layer for it"))
         names[what] = name

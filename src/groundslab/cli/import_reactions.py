@@ -113,12 +113,12 @@ def _reading(options: argparse.Namespace) -> dict[str, Any]:
     """Return the keys of [reactions] that were given."""
     signs = ("positive", "moments", "horizontal", "mirrored", "origin")
     same = ("tolerance", "sheet", "force", "moment", "length", "decimals", "footprint")
-    given = {name: getattr(options, name) for name in (*signs, *same)}
-    given["case"] = options.only_case
-    given["without_cases"] = options.without_case or None
-    given["without_supports"] = options.without_support or None
-    given["headings"] = _pairs("--heading", options.heading) or None
-    return {name: value for name, value in given.items() if value is not None}
+    keys = {name: getattr(options, name) for name in (*signs, *same)}
+    keys["case"] = options.only_case
+    keys["without_cases"] = options.without_case or None
+    keys["without_supports"] = options.without_support or None
+    keys["headings"] = _pairs("--heading", options.heading) or None
+    return {name: value for name, value in keys.items() if value is not None}
 
 
 def _pairs(option: str, texts: Sequence[str]) -> dict[str, str]:
@@ -144,5 +144,5 @@ def _words(imported: ImportedReactions) -> Iterator[str]:
     if not imported.changes:
         yield "  no changes"
     yield "sums of imported loads, moments about x = y = 0:"
-    yield from (f"  {each}" for each in imported.sums)
+    yield from (f"  {line}" for line in imported.sums)
     yield from (f"note: {remark}" for remark in imported.remarks)

@@ -311,17 +311,17 @@ def _verify(options: argparse.Namespace) -> int:
     """Run the verification cases, or list them."""
     from groundslab.verification import runner
 
-    known = list(runner.names())
+    cases = list(runner.names())
     if options.list:
-        console.print_stdout("\n".join(known))
+        console.print_stdout("\n".join(cases))
         return console.EXIT_OK
     expected = "a case that `groundslab verify --list` names"
-    issues = [Issue("verify", f'"{name}"', expected) for name in options.names if name not in known]
+    issues = [Issue("verify", f'"{name}"', expected) for name in options.names if name not in cases]
     if issues:
         raise InputError(issues)
     from rich.console import Console
 
-    return console.EXIT_OK if runner.run(options.names or known, Console()) else console.EXIT_NO_RESULT
+    return console.EXIT_OK if runner.run(options.names or cases, Console()) else console.EXIT_NO_RESULT
 
 
 def _print_history(error: NotConverged) -> None:

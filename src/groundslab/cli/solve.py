@@ -134,7 +134,7 @@ def _solve(model: Model, folder: Path, start: Results | None, *, quiet: bool, he
     with nullcontext() if quiet else _progress(model, len(combinations), start) as progress:
 
         def keep(results: Results) -> None:
-            judged = any(found.comparison for found in results.values())
+            judged = any(result.comparison for result in results.values())
             worth = not helper and (judged or time.monotonic() - begun > SOON)
             kept = results_folder.save_provisional(results, folder) if worth else None
             if progress is not None:

@@ -48,7 +48,8 @@ def check_case(model: Model, case: str) -> dict[str, Any]:
         "loads": len(model.loads),
         "cases": [case_to_json(use) | {"sum": sums[use.case.name]} for use in case_uses(model, combinations)],
         "combinations": [
-            {"name": each.name, "limit_state": each.limit_state, "factors": dict(each.factors)} for each in combinations
+            {"name": combination.name, "limit_state": combination.limit_state, "factors": dict(combination.factors)}
+            for combination in combinations
         ],
         "without_equilibrium": {name: str(error) for name, error in lost.items()},
         "remarks": [remark.words for remark in find_remarks(model, combinations)],

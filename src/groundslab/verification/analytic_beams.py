@@ -209,8 +209,8 @@ class Strip:
         A[1, 2] = -1 / self.D
         A[2, [1, 3]] = -self.S * part.k1 / stiffness, self.S / stiffness
         A[3, [0, 4]] = part.k0, -part.q
-        found = expm(A * x)
-        return found[:4, :4], found[:4, 4]
+        matrix = expm(A * x)
+        return matrix[:4, :4], matrix[:4, 4]
 
     @cached_property
     def starts(self) -> list[Array]:
@@ -224,20 +224,20 @@ class Strip:
                 b[1] = -part.P
                 line = 2
             if i + 1 < n:
-                grown, known = self._ends(part, part.length)
+                grown, vector = self._ends(part, part.length)
                 A[line : line + 4, 4 * i : 4 * i + 4] = -grown
                 A[line : line + 4, 4 * i + 4 : 4 * i + 8] = np.eye(4)
-                b[line : line + 4] = known
+                b[line : line + 4] = vector
                 b[line + 3] -= self.parts[i + 1].P
                 line += 4
-        grown, known = self._ends(self.parts[-1], self.parts[-1].length)
-        A[line, 4 * n - 4 :], b[line] = grown[2], -known[2]
+        grown, vector = self._ends(self.parts[-1], self.parts[-1].length)
+        A[line, 4 * n - 4 :], b[line] = grown[2], -vector[2]
         A[line + 1, 4 * n - 4 :] = grown[3] + self.right * grown[0]
-        b[line + 1] = -known[3] - self.right * known[0]
+        b[line + 1] = -vector[3] - self.right * vector[0]
         scale = np.tile([1.0, 1.0, self.D, self.D], n)
         size = np.abs(A * scale).max(axis=1)
-        found = scale * np.linalg.solve(A * scale / size[:, None], b / size)
-        return list(found.reshape(n, 4))
+        states = scale * np.linalg.solve(A * scale / size[:, None], b / size)
+        return list(states.reshape(n, 4))
 
     def at(self, x: float) -> dict[str, float]:
         """Return settlement, rotation, moment, shear and ground pressure at x from the left end, right of a line."""
@@ -247,8 +247,8 @@ class Strip:
             number += 1
         start = self.starts[number]
         part = self.parts[number]
-        grown, known = self._ends(part, x)
-        w, beta, M, T = grown @ start + known
+        grown, vector = self._ends(part, x)
+        w, beta, M, T = grown @ start + vector
         slope = (T + self.S * beta) / (self.S + part.k1)
         Q = T - part.k1 * slope
         return {"settlement": w, "rotation": beta, "moment": M, "shear": Q, "slope": slope}
@@ -342,5 +342,5 @@ def line_on_mindlin_strip(
     """
     ground = math.sqrt(k0 * k1) if beyond else 0.0
     parts = (Part(at, k0=k0, k1=k1), Part(length - at, k0=k0, k1=k1, P=P))
-    found = Strip(E * t**3 / 12, factor * E / 2 * t, parts, ground, ground).at(x)
-    return {name: found[name] for name in ("settlement", "moment", "shear")}
+    values = Strip(E * t**3 / 12, factor * E / 2 * t, parts, ground, ground).at(x)
+    return {name: values[name] for name in ("settlement", "moment", "shear")}

@@ -156,5 +156,5 @@ def _largest(function: Callable[[float], float], most: float) -> float:
     steps = [most * number / 200 for number in range(1, 201)]
     best = max(range(200), key=lambda number: function(steps[number]))
     low, high = steps[max(best - 1, 0)], steps[min(best + 1, 199)]
-    found = minimize_scalar(lambda a: -function(a), bounds=(low, high), method="bounded", options={"xatol": 1e-9})
-    return max((float(found.x), high, low), key=function)
+    optimum = minimize_scalar(lambda a: -function(a), bounds=(low, high), method="bounded", options={"xatol": 1e-9})
+    return max((float(optimum.x), high, low), key=function)

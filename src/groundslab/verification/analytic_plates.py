@@ -54,9 +54,9 @@ def rings(r: float, radii: list[float], D: list[float], nu: float, q: float) -> 
         return (w, slope, (moment, -D[i] * (bent[1] + nu * turned[1])))[what]
 
     def state(line: int, i: int, r: float, what: int, sign: float = 1.0) -> None:
-        factors, known = terms(i, r, what)
+        factors, constant = terms(i, r, what)
         A[line, 3 * i : 3 * i + 3] += sign * np.array(factors)
-        f[line] -= sign * known
+        f[line] -= sign * constant
 
     for i in range(n - 1):
         for what in range(3):

@@ -43,12 +43,12 @@ def levy_plate(
         def waves(n: int, y: float, r: np.ndarray = r) -> np.ndarray:
             return np.concatenate([(-r) ** n * np.exp(-r * (y + b / 2)), r**n * np.exp(r * (y - b / 2))])
 
-        lines, known = [], []
+        lines, right_side = [], []
         for at, edge in ((-b / 2, bottom), (b / 2, top)):
             for terms in _edge(edge, nu, wave, k1 / D):
                 lines.append(sum(factor * waves(n, at) for n, factor in enumerate(terms)))
-                known.append(-terms[0] * even)
-        c = np.linalg.solve(np.array(lines), np.array(known, dtype=complex))
+                right_side.append(-terms[0] * even)
+        c = np.linalg.solve(np.array(lines), np.array(right_side, dtype=complex))
         along = math.sin(wave * (x + a / 2))
         value = float((waves(0, y) @ c).real) + even
         bent = float((waves(2, y) @ c).real)
@@ -123,9 +123,9 @@ def patch_at_an_edge(x: float, q: float, u: float, v: float, D: float, nu: float
     on[:, 0, :4] = edge[:, 2] - nu * a2 * edge[:, 0]
     on[:, 1, :4] = edge[:, 3] - (2 - nu) * a2 * edge[:, 1]
     on[:, 2:, :2], on[:, 2:, 2:4], on[:, 2:, 4:] = falling * back, rising, -falling
-    known = np.zeros((len(alpha), 6, 1), dtype=complex)
-    known[:, 0, 0], known[:, 2, 0] = nu * alpha**2 * even, -even
-    c = np.linalg.solve(on, known)[:, :4, 0]
+    right_side = np.zeros((len(alpha), 6, 1), dtype=complex)
+    right_side[:, 0, 0], right_side[:, 2, 0] = nu * alpha**2 * even, -even
+    c = np.linalg.solve(on, right_side)[:, :4, 0]
     value, bent = even + (edge[:, 0] * c).sum(axis=1).real, (edge[:, 2] * c).sum(axis=1).real
     along = weight * np.cos(alpha * x)
     return {"settlement": float(along @ value), "moment": float(along @ (D * (alpha**2 * value - nu * bent)))}

@@ -210,8 +210,8 @@ def _of_beam(results: CombinationResult, row: Mapping[str, Any], name: str) -> f
     """Return a section force of a row's beam at its way, of a rib that of the T [N m or N]."""
     members, beams = results.model.members, results.beams
     number = next(number for number, beam in enumerate(beams) if beam.name == row["beam"])
-    own = section_forces(results, members[number], beams[number])
-    return float(np.interp(row["way"], own.way, getattr(own, name)))
+    forces = section_forces(results, members[number], beams[number])
+    return float(np.interp(row["way"], forces.way, getattr(forces, name)))
 
 
 def _alone(results: CombinationResult) -> Results:
@@ -269,8 +269,8 @@ def _held_to_pin(case: Case, outcome: Outcome) -> Outcome:
     pin = pinned().get(case.name, {}).get(outcome.label)
     if pin is not None and math.isclose(outcome.computed, pin, rel_tol=PINNED_MESHED if case.needs else PINNED):
         return outcome
-    found = "no value is pinned" if pin is None else f"our own number was {pin:.8g}"
-    return replace(outcome, verdict="FAILED", ok=False, reason=f"{found}; tools/pin_cases.py pins the new one")
+    why = "no value is pinned" if pin is None else f"our own number was {pin:.8g}"
+    return replace(outcome, verdict="FAILED", ok=False, reason=f"{why}; tools/pin_cases.py pins the new one")
 
 
 def _outcome(case: Case, row: Mapping[str, Any], results_of: Callable[..., CombinationResult]) -> Outcome:
@@ -294,8 +294,8 @@ def _outcome(case: Case, row: Mapping[str, Any], results_of: Callable[..., Combi
     else:
         tolerance = _tolerance(row, published)
         if not 0 < tolerance < abs(reference):
-            found = f"a tolerance of {tolerance} against {published} checks nothing"
-            raise ValueError(f"{case.name}: {row['label']}: {found}")
+            fault = f"a tolerance of {tolerance} against {published} checks nothing"
+            raise ValueError(f"{case.name}: {row['label']}: {fault}")
         ok = abs(difference) <= tolerance
     error = _error(row, results_of)
     return Outcome(row["label"], published, computed, error, shown, verdict if ok else "FAILED", reason, ok)
@@ -340,8 +340,8 @@ def _unit(row: Mapping[str, Any]) -> float:
 
 def _exact(row: Mapping[str, Any]) -> float:
     """Return the value of the row's formula in SI units."""
-    given = dict(row["exact"])
-    return FORMULAS[given.pop("formula")](**given)
+    arguments = dict(row["exact"])
+    return FORMULAS[arguments.pop("formula")](**arguments)
 
 
 def _tolerance(row: Mapping[str, Any], published: str) -> float:
@@ -375,7 +375,7 @@ def _told(row: Mapping[str, Any], results_of: Callable[..., CombinationResult]) 
     low, high = row["told"]
     ratio = value.share / true
     ok = low <= ratio <= high
-    shares = (100 * each / abs(value.value) for each in (true, value.share))
+    shares = (100 * error / abs(value.value) for error in (true, value.share))
     said = "true {:.2g} %, told {:.2g} %".format(*shares)
     return Outcome(row["label"], f"{low} to {high}", ratio, None, said, "agrees" if ok else "FAILED", "", ok)
 
@@ -383,8 +383,8 @@ def _told(row: Mapping[str, Any], results_of: Callable[..., CombinationResult]) 
 def _judged(results: CombinationResult, row: Mapping[str, Any]) -> JudgedValue:
     """Return the judged value of a row with its error [SI]: the first of its name, or the last, which is the least."""
     label = NOT_A_FIELD.get(row["judged"]) or PLATE_FIELDS[row["judged"]].label
-    found = [value for _, value in judged_values(results) if value.label == label]
-    return found[-1 if row.get("least") else 0]
+    values = [value for _, value in judged_values(results) if value.label == label]
+    return values[-1 if row.get("least") else 0]
 
 
 def _print(case: Case, outcomes: Sequence[Outcome], console: Console) -> None:

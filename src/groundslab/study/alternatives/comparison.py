@@ -232,7 +232,7 @@ def _measure(proposal: Proposal, text: str, results: Results, remarks: tuple[str
         links=sum(layout.mass for layout in layouts) if borne else None,
         places_of_links=len(layouts),
         utilizations=_utilizations(design),
-        settlement=max(float(each.plate.settlement.max()) for each in results.results.values()),
+        settlement=max(float(result.plate.settlement.max()) for result in results.results.values()),
         status=design.status,
         notes=(
             *remarks,

@@ -38,8 +38,8 @@ class ComparedRow:
 def rows(comparison: DesignComparison) -> list[ComparedRow]:
     """Return the outcome, the quantities and the utilizations of all alternatives."""
     alternatives = comparison.alternatives
-    statuses = tuple(alternative.status for alternative in alternatives)
-    verdicts = tuple(alternative.verdict for alternative in alternatives)
+    statuses = tuple(design.status for design in alternatives)
+    verdicts = tuple(design.verdict for design in alternatives)
     return [
         ComparedRow("outcome", "", verdicts, tuple(status == "fails" for status in statuses)),
         *_quantities(comparison),
@@ -50,17 +50,17 @@ def rows(comparison: DesignComparison) -> list[ComparedRow]:
 def _quantities(comparison: DesignComparison) -> Iterator[ComparedRow]:
     """Yield concrete, bars, links and settlement."""
     alternatives = comparison.alternatives
-    yield _amounts("concrete", "m3", comparison, [each.concrete for each in alternatives])
-    if any(each.bars is not None for each in alternatives):
-        yield _amounts("bars", "kg", comparison, [each.bars for each in alternatives])
-        links = [each.links for each in alternatives]
+    yield _amounts("concrete", "m3", comparison, [design.concrete for design in alternatives])
+    if any(design.bars is not None for design in alternatives):
+        yield _amounts("bars", "kg", comparison, [design.bars for design in alternatives])
+        links = [design.links for design in alternatives]
         masses = _amounts("links", "kg", comparison, links)
         lacking = tuple(mass is None for mass in links)
         shown = tuple(NOT_ENOUGH if bad else cell for cell, bad in zip(masses.cells, lacking, strict=True))
         yield ComparedRow(masses.label, masses.unit, shown, lacking)
-        counts = tuple(str(each.places_of_links) for each in alternatives)
+        counts = tuple(str(design.places_of_links) for design in alternatives)
         yield ComparedRow("columns, piles, zones, walls with links", "", counts, (False,) * len(counts))
-    yield _amounts("largest settlement", "mm", comparison, [1e3 * each.settlement for each in alternatives])
+    yield _amounts("largest settlement", "mm", comparison, [1e3 * design.settlement for design in alternatives])
 
 
 def _amounts(label: str, unit: str, comparison: DesignComparison, values: list[float | None]) -> ComparedRow:
@@ -73,15 +73,15 @@ def _amounts(label: str, unit: str, comparison: DesignComparison, values: list[f
 def _checks(alternatives: tuple[DesignAlternative, ...]) -> list[str]:
     """Return the kinds of checks, the most used first."""
     largest = dict[str, float]()
-    for alternative in alternatives:
-        for name, value in alternative.utilizations.items():
+    for design in alternatives:
+        for name, value in design.utilizations.items():
             largest[name] = max(value, largest.get(name, 0.0))
     return sorted(largest, key=lambda name: -largest[name])
 
 
 def _utilization(alternatives: tuple[DesignAlternative, ...], name: str) -> ComparedRow:
-    values = [alternative.utilizations.get(name) for alternative in alternatives]
-    most = [alternative.within_error.get(name) for alternative in alternatives]
+    values = [design.utilizations.get(name) for design in alternatives]
+    most = [design.within_error.get(name) for design in alternatives]
     cells = tuple(
         "" if value is None else f"{value:.2f}" if high is None else f"{value:.2f} to {high:.2f}"
         for value, high in zip(values, most, strict=True)
@@ -92,8 +92,8 @@ def _utilization(alternatives: tuple[DesignAlternative, ...], name: str) -> Comp
 def notes(comparison: DesignComparison) -> tuple[str, ...]:
     """Return what each alternative is, and what a reader must know."""
     units = comparison.model.units
-    about = [f"{each.words}." for each in comparison.alternatives if each.words.startswith(PANELS)]
-    remarks = dict.fromkeys(f"{remark}." for each in comparison.alternatives for remark in each.notes)
+    about = [f"{design.words}." for design in comparison.alternatives if design.words.startswith(PANELS)]
+    remarks = dict.fromkeys(f"{remark}." for design in comparison.alternatives for remark in design.notes)
     return tuple(words_in(note, units) for note in (UTILIZATION_NOTE, *about, *remarks, *comparison.notes))
 
 
@@ -104,7 +104,7 @@ def layout_rows(comparison: DesignComparison) -> TableLayout:
     heads = (
         TableHeader(""),
         TableHeader("unit"),
-        *(TableHeader(alternative.name, number=True) for alternative in comparison.alternatives),
+        *(TableHeader(design.name, number=True) for design in comparison.alternatives),
     )
     cells = tuple(
         (
@@ -124,19 +124,19 @@ def to_json(comparison: DesignComparison) -> dict[str, Any]:
         "title": comparison.model.title,
         "alternatives": [
             {
-                "name": each.name,
-                "words": each.words,
-                "status": each.status,
-                "concrete": each.concrete,
-                "bars": each.bars,
-                "links": each.links,
-                "places_of_links": each.places_of_links,
-                "settlement": each.settlement,
-                "utilizations": each.utilizations,
-                "within_error": each.within_error,
-                "notes": list(each.notes),
+                "name": design.name,
+                "words": design.words,
+                "status": design.status,
+                "concrete": design.concrete,
+                "bars": design.bars,
+                "links": design.links,
+                "places_of_links": design.places_of_links,
+                "settlement": design.settlement,
+                "utilizations": design.utilizations,
+                "within_error": design.within_error,
+                "notes": list(design.notes),
             }
-            for each in comparison.alternatives
+            for design in comparison.alternatives
         ],
         "notes": list(comparison.notes),
     }

@@ -64,14 +64,14 @@ def place_of(model: Model, path: str) -> Place:
     left = list(steps)
     while left:
         name = left.pop(0)
-        known = [key for key, info in type(part).model_fields.items() if info.type or info.sections.parts]
+        fields = [key for key, info in type(part).model_fields.items() if info.type or info.sections.parts]
         where = f"{walked} has" if walked else "the case has"
-        if not isinstance(name, str) or name not in known:
+        if not isinstance(name, str) or name not in fields:
             if name in type(part).model_fields:
                 raise path_error(path, f"a key that {where} a value for", f"{quote(str(name))} says which kind it is")
             shown = f"[{name + 1}]" if isinstance(name, int) else quote(name)
-            hint = suggestion(name, known)
-            raise path_error(path, f"a key that {where}: {one_of(known)}", hint or f"{shown} is none of them")
+            hint = suggestion(name, fields)
+            raise path_error(path, f"a key that {where}: {one_of(fields)}", hint or f"{shown} is none of them")
         info = type(part).model_fields[name]
         walked += f".{name}" if walked else name
         key = info.type

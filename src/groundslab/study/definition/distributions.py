@@ -222,10 +222,10 @@ def _from_scipy(part: Scipy) -> Any:
     """Return a distribution of scipy.stats by its own name and parameters."""
     from scipy import stats
 
-    known = [name for name in dir(stats) if isinstance(getattr(stats, name), stats.rv_continuous)]
-    if part.name not in known:
+    continuous = [name for name in dir(stats) if isinstance(getattr(stats, name), stats.rv_continuous)]
+    if part.name not in continuous:
         expected = "a continuous distribution of scipy.stats"
-        raise FieldError(RelativeIssue(("name",), describe(part.name), expected, suggestion(part.name, known)))
+        raise FieldError(RelativeIssue(("name",), describe(part.name), expected, suggestion(part.name, continuous)))
     family = getattr(stats, part.name)
     shapes = family.shapes
     names = [*(shapes.split(", ") if shapes else []), "loc", "scale"]

@@ -94,14 +94,14 @@ def _with_units(file: StudyFile, setup: Setup) -> StudyFile:
         distribution = quantity.distribution
         if distribution is not None:
             amounts = {name: getattr(distribution, name, None) for name in AMOUNTS}
-            given = {name: _write_unit(key, value) for name, value in amounts.items() if value is not None}
-            distribution = distribution.replace(**given)
+            texts = {name: _write_unit(key, value) for name, value in amounts.items() if value is not None}
+            distribution = distribution.replace(**texts)
         vary.append(quantity.replace(values=values, distribution=distribution))
     limits = []
     for limit in file.limit_state:
         key = next(output.key for output in setup.outputs if output.name == limit.keep)
-        given = {name: value for name in ("at_most", "at_least") if (value := getattr(limit, name)) is not None}
-        limits.append(limit.replace(**{name: _write_unit(key, value) for name, value in given.items()}))
+        bounds = {name: value for name in ("at_most", "at_least") if (value := getattr(limit, name)) is not None}
+        limits.append(limit.replace(**{name: _write_unit(key, value) for name, value in bounds.items()}))
     return file.replace(vary=tuple(vary), limit_state=tuple(limits))
 
 

@@ -186,14 +186,14 @@ def error_of(output: RequestedOutput, combined: Results, names: Sequence[str]) -
 def _governing(output: RequestedOutput, combined: Results, names: Sequence[str]) -> tuple[float | None, str]:
     """Return the number that is kept of a variant and the combination that it is of; None if one has no results."""
     values = [_scalar(output, combined.results[name]) if name in combined.results else None for name in names]
-    there = [(value, name) for value, name in zip(values, names, strict=True) if value is not None]
-    if len(there) < len(values):
+    pairs = [(value, name) for value, name in zip(values, names, strict=True) if value is not None]
+    if len(pairs) < len(values):
         return None, ""
     if output.take == "largest":
-        return max(there, key=itemgetter(0))
+        return max(pairs, key=itemgetter(0))
     if output.take == "smallest":
-        return min(there, key=itemgetter(0))
-    return max(there, key=lambda one: abs(one[0]))
+        return min(pairs, key=itemgetter(0))
+    return max(pairs, key=lambda one: abs(one[0]))
 
 
 def nodal_values_of(output: RequestedOutput, combined: Results, names: Sequence[str]) -> Array | None:

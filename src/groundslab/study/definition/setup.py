@@ -264,8 +264,8 @@ def _output(keep: RequestedOutput, model: Model) -> RequestedOutput:
 def _output_issues(keep: RequestedOutput, of: str, model: Model) -> Iterator[RelativeIssue]:
     """Find why a result cannot be kept."""
     if of not in FIELDS and of not in SCALARS:
-        known = [*FIELDS, *SCALARS]
-        hint = suggestion(of, known) or f"among {one_of(known)}"
+        names = [*FIELDS, *SCALARS]
+        hint = suggestion(of, names) or f"among {one_of(names)}"
         yield RelativeIssue(("of",), describe(keep.of), "a field or a figure", hint)
         return
     if of in FIELDS and keep.take is None:
@@ -346,8 +346,8 @@ def _correlation(names: list[str], correlation: tuple[schema.Correlation, ...]) 
             matrix[a, b] = entry.rho
     least = float(np.linalg.eigvalsh(matrix).min()) if names else 1.0
     if least < 1e-10:
-        given = f"correlations that cannot hold together (least eigenvalue {least:.2g})"
-        raise FieldError(RelativeIssue((), given, "a positive definite matrix of them", "smaller correlations"))
+        contradiction = f"correlations that cannot hold together (least eigenvalue {least:.2g})"
+        raise FieldError(RelativeIssue((), contradiction, "a positive definite matrix of them", "smaller correlations"))
     return matrix
 
 

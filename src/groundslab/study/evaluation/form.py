@@ -56,20 +56,20 @@ def design_point(g: Callable[[Array], float], correlation: Array) -> DesignPoint
 
     ot = import_optional("openturns", "which finds the design point", "study")
     d = len(correlation)
-    known = dict[tuple[float, ...], float]()
+    values = dict[tuple[float, ...], float]()
     raised = list[GroundslabError]()
 
     def raw(z: Iterable[float]) -> float:
         at = tuple(float(score) for score in z)
         # each point costs a solution of the plate
-        if at not in known:
+        if at not in values:
             try:
-                known[at] = float(g(np.array(at)))
+                values[at] = float(g(np.array(at)))
             except GroundslabError as error:
                 # OpenTURNS replaces it by an error of its own
                 raised.append(error)
                 raise
-        return known[at]
+        return values[at]
 
     def slope(z: Iterable[float]) -> Array:
         at = np.array([float(score) for score in z])
@@ -93,18 +93,18 @@ def design_point(g: Callable[[Array], float], correlation: Array) -> DesignPoint
     except Exception as error:
         if raised:
             raise raised[0] from None
-        raise NotConverged("the search for the design point", _history(known), {}) from error
+        raise NotConverged("the search for the design point", _history(values), {}) from error
     z = np.array(algorithm.getResult().getPhysicalSpaceDesignPoint())
     u = np.linalg.solve(L, z)
     steepest = L.T @ slope(z) / scale
     if _distance_from_solution(u, raw(z) / scale, steepest) > ACCEPTED:
-        raise NotConverged("the search for the design point", _history(known), {"scores": z})
+        raise NotConverged("the search for the design point", _history(values), {"scores": z})
     # one more step, without a solution: to the foot of the tangent plane
     size = float(np.linalg.norm(steepest))
     beta = (raw(z) / scale - float(steepest @ u)) / size
     z = L @ (-beta * steepest / size)
     importance = z**2 / float(z @ z) if z.any() else np.full(d, np.nan)
-    return DesignPoint(beta, float(ndtr(-beta)), z, importance, len(known))
+    return DesignPoint(beta, float(ndtr(-beta)), z, importance, len(values))
 
 
 @dataclass(frozen=True, slots=True)
@@ -244,11 +244,11 @@ def _limit(setup: Setup, name: str) -> Limit:
         for place, variable in enumerate(setup.variables, 1)
         if variable.distribution is None
     ]
-    known = [limit.name for limit in setup.limits]
-    chosen = [limit for limit in setup.limits if limit.name == name or (not name and len(known) == 1)]
+    names = [limit.name for limit in setup.limits]
+    chosen = [limit for limit in setup.limits if limit.name == name or (not name and len(names) == 1)]
     if not chosen:
-        expected = one_of(known) if known else "a study with a limit state"
-        issues.append(Issue("limit_state", describe(name or None), expected, suggestion(name, known)))
+        expected = one_of(names) if names else "a study with a limit state"
+        issues.append(Issue("limit_state", describe(name or None), expected, suggestion(name, names)))
     if issues:
         raise InputError(issues)
     return chosen[0]

@@ -179,11 +179,11 @@ def choose_unit(dimension: str | None, values: Array) -> Unit:
     """Return a fitting unit of display for values in SI of one dimension; none for pure numbers."""
     if not dimension:
         return PURE
-    known = DIMENSIONS[dimension]
+    quantity = DIMENSIONS[dimension]
     finite = np.abs(values[np.isfinite(values)])
     size = float(np.median(finite)) if len(finite) else 0.0
-    scale, name = next((step for step in reversed(known.steps) if size >= step[0]), known.steps[0])
-    return Unit(name, known.si, 1 / scale)
+    scale, name = next((step for step in reversed(quantity.steps) if size >= step[0]), quantity.steps[0])
+    return Unit(name, quantity.si, 1 / scale)
 
 
 def read_samples(study: Study) -> Samples:

@@ -274,9 +274,9 @@ class Study:
         InputError
             If there is no such field or statistic, or not all variants have the same mesh.
         """
-        known = ("mean", "std", "probability of uplift")
-        if statistic not in known:
-            raise InputError([Issue("map", f'"{statistic}"', one_of(known), suggestion(statistic, known))])
+        statistics = ("mean", "std", "probability of uplift")
+        if statistic not in statistics:
+            raise InputError([Issue("map", f'"{statistic}"', one_of(statistics), suggestion(statistic, statistics))])
         column = self._column(name)
         output = next(output for output in self.setup.outputs if output.name == column)
         if statistic == "probability of uplift" and output.of != "settlement":

@@ -88,10 +88,10 @@ def tabulate_statistics(sample: Samples, level: float = LEVEL) -> Table:
 
 def tabulate_discretization(sample: Samples) -> Table | None:
     """Return the discretization error of each output in the case as it is; None if none has any."""
-    known = [(output, *sample.errors[output.name]) for output in sample.outputs if output.name in sample.errors]
-    if not known:
+    errors = [(output, *sample.errors[output.name]) for output in sample.outputs if output.name in sample.errors]
+    if not errors:
         return None
-    rows = [[output.name, output.unit.name, *(x * output.unit.scale for x in both)] for output, *both in known]
+    rows = [[output.name, output.unit.name, *(x * output.unit.scale for x in both)] for output, *both in errors]
     notes = [
         "Of the base case, estimated from the same analysis on elements twice as large. The variants start from its "
         "solution and have no coarser mesh."

@@ -349,13 +349,13 @@ def version_differences(
     return [
         Issue(
             where,
-            f"{package} {there[package]}" if package in there else f"no {package}",
+            f"{package} {installed[package]}" if package in installed else f"no {package}",
             f"{package} {here[package]}, as here" if package in here else f"no {package}, as here",
             "rows would differ; install the same versions everywhere",
         )
-        for where, there in elsewhere.items()
+        for where, installed in elsewhere.items()
         for package in packages
-        if here.get(package) != there.get(package)
+        if here.get(package) != installed.get(package)
     ]
 
 

@@ -105,6 +105,6 @@ def solve(name: str, variants: Sequence[Variant], known_meshes: Sequence[str]) -
     plugin: Plugin = get_worker().plugins[name]
     outcomes: list[Row | WorkerFailure] = []
     for variant in variants:
-        made = (row.mesh for row in outcomes if isinstance(row, Row))
-        outcomes.append(plugin.outcome(variant, (*known_meshes, *made)))
+        meshes = (row.mesh for row in outcomes if isinstance(row, Row))
+        outcomes.append(plugin.outcome(variant, (*known_meshes, *meshes)))
     return outcomes

@@ -49,8 +49,8 @@ def show_progress(quiet: bool, console: Console | None = None) -> Iterator[OnPro
 
 def describe_start(progress: Progress) -> str:
     """Return the folder of a study, its size, and how many rows it has already."""
-    there = f", of which {progress.there} have a row already" if progress.there else ""
-    return f"{progress.folder}: {progress.total} variants{there}"
+    already = f", of which {progress.there} have a row already" if progress.there else ""
+    return f"{progress.folder}: {progress.total} variants{already}"
 
 
 def describe_place(progress: Progress) -> str:

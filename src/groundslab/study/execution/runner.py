@@ -73,10 +73,10 @@ def run(study: files.StudyInput, folder: Path, resources: Resources, resume: boo
     with store.lock(folder), store.Store(folder, study.setup) as rows:
         variants = list_variants(study.setup)
         _require_same_inputs(rows, variants)
-        there = rows.count()
+        existing = rows.count()
         solved = rows.counts().get(SOLVED, 0)
         progress = Progress(
-            folder, len(variants), there, there - solved, solved, warnings=tuple(warnings_of(study.setup))
+            folder, len(variants), existing, existing - solved, solved, warnings=tuple(warnings_of(study.setup))
         )
         rows.add_killer()
         done = rows.numbers()
@@ -90,13 +90,13 @@ def run(study: files.StudyInput, folder: Path, resources: Resources, resume: boo
         rows.add_run(versions.versions(RECORDED))
         with closing(_solve(study, resources, todo, rows, progress)) as outcomes:
             for batch in outcomes:
-                made = [outcome for outcome in batch if isinstance(outcome, Row)]
+                new_rows = [outcome for outcome in batch if isinstance(outcome, Row)]
                 failed = [outcome for outcome in batch if isinstance(outcome, WorkerFailure)]
-                rows.add(*made)
+                rows.add(*new_rows)
                 for failure in failed:
                     rows.add_failure(failure.number, failure.message)
-                progress.solved += sum(row.status == SOLVED for row in made)
-                progress.failed += sum(row.status != SOLVED for row in made)
+                progress.solved += sum(row.status == SOLVED for row in new_rows)
+                progress.failed += sum(row.status != SOLVED for row in new_rows)
                 progress.failures += failed
                 on_progress(progress)
     return progress

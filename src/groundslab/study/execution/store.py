@@ -169,8 +169,8 @@ class Store:
             for row in rows:
                 for mesh in row.meshes:
                     self._insert("meshes", key_of(mesh), _bytes(mesh.nodes, "<f8"), _bytes(mesh.elements, "<i8"))
-                known = zip(self.columns.results, row.base, strict=True) if row.base else ()
-                for name, pair in known:
+                pairs = zip(self.columns.results, row.base, strict=True) if row.base else ()
+                for name, pair in pairs:
                     if pair is not None:
                         self._insert("discretization", name, *pair)
                 values = [row.number, row.status, row.reason, row.message, row.seconds]
@@ -193,10 +193,10 @@ class Store:
         changed = []
         for table, key in _SEALED.items():
             joined = f"{table} LEFT JOIN checksums ON part = '{table} ' || {table}.{key}"
-            for known, name, *values in self._connection.execute(
+            for checksum, name, *values in self._connection.execute(
                 f"SELECT checksums.sha256, {table}.* FROM {joined} ORDER BY {table}.{key}"
             ):
-                if known != _checksum((name, *values)):
+                if checksum != _checksum((name, *values)):
                     changed.append(f"{table} {name}")
         return changed
 
@@ -280,8 +280,8 @@ class Store:
     def discretization(self) -> dict[str, tuple[float, float]]:
         """Return by output its value in the case as it is and the discretization error of that, where it has one."""
         values = self._connection.execute("SELECT output, value, error FROM discretization")
-        known = {name: (value, error) for name, value, error in values}
-        return {name: known[name] for name in self.columns.results if name in known}
+        by_output = {name: (value, error) for name, value, error in values}
+        return {name: by_output[name] for name in self.columns.results if name in by_output}
 
     def meshes(self) -> dict[str, Mesh]:
         """Return all meshes by their keys."""

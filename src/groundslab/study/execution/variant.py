@@ -139,9 +139,9 @@ class Worker:
         meshes = tuple[Mesh, ...]()
         if combined is not None and any(array is not None for array in arrays):
             plate = next(iter(combined.results.values())).plate
-            made = Mesh(plate.nodes, plate.elements)
-            mesh = key_of(made)
-            meshes = () if mesh in known_meshes else (made,)
+            plate_mesh = Mesh(plate.nodes, plate.elements)
+            mesh = key_of(plate_mesh)
+            meshes = () if mesh in known_meshes else (plate_mesh,)
         inputs = (*variant.values, *variant.seeds)
         seconds = time.perf_counter() - began
         return Row(variant.number, status, reason, message, seconds, inputs, results, arrays, mesh, meshes, self._base)
@@ -159,18 +159,18 @@ class Worker:
         pairs = zip(self._setup.variables, values, strict=True)
         values_in_case = {variable.place: variable.value_in_case(value) for variable, value in pairs}
         model = case_paths.with_values(self._setup.model, values_in_case)
-        there = list_combinations(model)
-        if len(there) != len(self._names):
+        combinations = list_combinations(model)
+        if len(combinations) != len(self._names):
             expected = f"{len(self._names)}, as the case has"
-            raise InputError([Issue("combinations", f"{len(there)} combinations", expected)])
-        return self._only_solved(model), {self._names[n]: there[n].name for n in self._solved}
+            raise InputError([Issue("combinations", f"{len(combinations)} combinations", expected)])
+        return self._only_solved(model), {self._names[n]: combinations[n].name for n in self._solved}
 
     def _only_solved(self, model: Model) -> Model:
         """Return a case with the combinations that are solved; without an ultimate one no reinforcement is designed."""
-        there = list_combinations(model)
-        if len(self._solved) == len(there):
+        combinations = list_combinations(model)
+        if len(self._solved) == len(combinations):
             return model
-        chosen = tuple(there[n] for n in self._solved)
+        chosen = tuple(combinations[n] for n in self._solved)
         reinforcement = model.reinforcement if has_ultimate_combination(chosen, None) else None
         return model.replace(combinations=chosen, combine=None, reinforcement=reinforcement)
 

@@ -17,14 +17,14 @@ def versions(packages: tuple[str, ...]) -> dict[str, str]:
     import importlib.metadata
     import sys
 
-    known = {"python": f"{sys.version_info[0]}.{sys.version_info[1]}"}
+    installed = {"python": f"{sys.version_info[0]}.{sys.version_info[1]}"}
     for name in packages:
         try:
             # an installed package may not be the one that is imported
             if name == "groundslab":
-                known[name] = importlib.import_module(name).__version__
+                installed[name] = importlib.import_module(name).__version__
             elif name != "python":
-                known[name] = importlib.metadata.version(name)
+                installed[name] = importlib.metadata.version(name)
         except ImportError:
             continue
-    return known
+    return installed

@@ -282,10 +282,10 @@ def _panels(count: int, height: float = 2.1, abreast: int = ABREAST) -> tuple[Fi
     columns = 2 if count == 4 else min(max(count, 2), abreast)
     rows = -(-count // columns)
     figure = _figure(height * rows + 0.25)
-    made: list[Axes] = list(figure.subplots(rows, columns, squeeze=False).ravel())
-    for spare in made[count:]:
+    axes: list[Axes] = list(figure.subplots(rows, columns, squeeze=False).ravel())
+    for spare in axes[count:]:
         spare.remove()
-    return figure, made[:count]
+    return figure, axes[:count]
 
 
 def _histogram(axes: Axes, x: Array, label: str, number: int = 0, of: int = 1, name: str = "") -> None:

@@ -117,10 +117,10 @@ def _make_way(folder: Path) -> None:
     if not path.is_file():
         return
     try:
-        known = dict(json.loads(bounded.read_whole(path, LARGEST))["checksums"])
+        sums = dict(json.loads(bounded.read_whole(path, LARGEST))["checksums"])
     except (ValueError, KeyError, TypeError, RecursionError):
-        known = {}
-    checksums.keep_files(folder, checksums.find_edited(folder, {name: known[name] for name in known if name in NAMES}))
+        sums = {}
+    checksums.keep_files(folder, checksums.find_edited(folder, {name: sums[name] for name in sums if name in NAMES}))
 
 
 def _foreign(folder: Path) -> list[str]:

@@ -57,8 +57,8 @@ def _most_with_links(tau_Rd_c: float, b_0: float, d: float) -> float:
 
 def _area(m: float, d: float, f_ck: float, f_yk: float) -> float:
     """Return the area of bars [m2/m] for a moment per width."""
-    found = bending.required(np.array([m]), d, Concrete(f_ck), Steel(f_yk), thickness=d + 0.05)
-    return float(found.tension[0])
+    required = bending.required(np.array([m]), d, Concrete(f_ck), Steel(f_yk), thickness=d + 0.05)
+    return float(required.tension[0])
 
 
 def _crack(what: str) -> Callable[..., float]:
@@ -70,12 +70,12 @@ def _crack(what: str) -> Callable[..., float]:
         h_c = cracking.effective_depth(thickness, axis, bars)
         rho, k_fl = cracking.effective_ratio(h_c, bars), (thickness - h_c) / h
         bond = cracking.GOOD_BOND, concrete.annex.k_w
-        given = concrete, steel, cracking.GOOD_BOND
+        materials = concrete, steel, cracking.GOOD_BOND
         figures = {
             "rho": 100 * rho,
             "s_r": cracking.mean_spacing(bars, thickness, axis, rho, k_fl, bond),
             "k_1/r": cracking.curvature_factor(thickness, axis, bars),
-            "w": cracking.width_of_stress(np.array([sigma_s]), thickness, axis, bars, given),
+            "w": cracking.width_of_stress(np.array([sigma_s]), thickness, axis, bars, materials),
         }
         return float(figures[what][0])
 

@@ -185,8 +185,8 @@ def _effect(
         group = "wind" if kind == "wind" else ""
         cases.append(LoadCase(name=name, action="variable", category=kind, group=group, **factors))
     effects = {**permanent, "rare": rare, **{name: effect for name, (effect, *_) in variable.items()}}
-    made = make_combinations(Combine(sets=(limit_state,), **rules), cases)
-    sums = [sum(factor * effects[name] for name, factor in combination.factors) for combination in made]
+    combinations = make_combinations(Combine(sets=(limit_state,), **rules), cases)
+    sums = [sum(factor * effects[name] for name, factor in combination.factors) for combination in combinations]
     return min(sums) if least else max(sums)
 
 

@@ -41,9 +41,9 @@ def resolve_results(root: Path, name: str) -> Path:
     """Return the full path of a folder of results, in which no link leads out; raises InputError."""
     path = resolve(root, name, "results")
     if not (path / "summary.json").is_file():
-        known = (each.parent.relative_to(root).as_posix() for each in root.glob("*/summary.json"))
+        names = (file.parent.relative_to(root).as_posix() for file in root.glob("*/summary.json"))
         raise InputError(
-            [Issue("results", describe(name), "a folder of results that solve has written", _names(known))]
+            [Issue("results", describe(name), "a folder of results that solve has written", _names(names))]
         )
     for number, entry in enumerate(path.rglob("*")):
         if number >= MAX_ENTRIES:
@@ -74,5 +74,5 @@ def _cases(root: Path) -> Iterator[str]:
 
 def _names(names: Iterator[str]) -> str:
     """Return the first of some names in words, empty if there are none."""
-    known = sorted(names)[:MOST_NAMES]
-    return f"there is {listed(known)}" if known else ""
+    first = sorted(names)[:MOST_NAMES]
+    return f"there is {listed(first)}" if first else ""

@@ -156,7 +156,7 @@ async def _serve(server: Server[Any]) -> None:
 
 def _unreadable(error: Exception) -> SessionMessage | None:
     """Return the answer to a request that is no JSON as the protocol has it, None where it has no identifier."""
-    lines = [each["input"] for each in error.errors()] if isinstance(error, ValidationError) else []
+    lines = [fault["input"] for fault in error.errors()] if isinstance(error, ValidationError) else []
     try:
         number = json.loads(lines[0])["id"]
     except (IndexError, KeyError, TypeError, ValueError, RecursionError):

@@ -130,7 +130,9 @@ def _shorten(summary: dict[str, Any]) -> dict[str, Any]:
     kept = ("name", "limit_state", "factors", "certified", "refused", "folder")
     short = {key: value for key, value in _without_steps(summary).items() if key != "history"}
     if "combinations" in short:
-        short["combinations"] = [{key: each[key] for key in kept if key in each} for each in short["combinations"]]
+        short["combinations"] = [
+            {key: combination[key] for key in kept if key in combination} for combination in short["combinations"]
+        ]
     return short
 
 

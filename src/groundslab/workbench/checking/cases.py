@@ -53,7 +53,7 @@ def cases_to_json(model: Model, combinations: Sequence[Combination]) -> dict[str
             "positions": list(positions.get(name, ())),
         }
 
-    made = list_unmoved(model)[len(model.combinations) :] if model.cases else ()
+    generated = list_unmoved(model)[len(model.combinations) :] if model.cases else ()
     return {
         "about": [value * length.scale for value in middle(model)],
         "length": length.name,
@@ -61,7 +61,12 @@ def cases_to_json(model: Model, combinations: Sequence[Combination]) -> dict[str
         "moment": moment.name,
         "cases": [case(use.case.name, bool(use.acting)) for use in case_uses(model, combinations)],
         "made": [
-            {"name": each.name, "limit_state": each.limit_state, "rule": each.rule, "factors": dict(each.factors)}
-            for each in made
+            {
+                "name": combination.name,
+                "limit_state": combination.limit_state,
+                "rule": combination.rule,
+                "factors": dict(combination.factors),
+            }
+            for combination in generated
         ],
     }

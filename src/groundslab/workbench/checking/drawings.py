@@ -38,8 +38,8 @@ class DrawingReader(FileReader):
         self, path: Path, layers: Mapping[str, str], unit: str | None, centered: bool, gap: str, union: bool
     ) -> ConvertedDrawing:
         """Return the case of a drawing's layers, gaps up to a length closed, outlines joined; raises InputError."""
-        made: ConvertedDrawing = self._call(convert_drawing, path, dict(layers), unit, centered, gap, union)
-        return made
+        converted: ConvertedDrawing = self._call(convert_drawing, path, dict(layers), unit, centered, gap, union)
+        return converted
 
     def _call(self, function: Callable[..., Any], path: Path, *arguments: Any) -> Any:
         if path.suffix.lower() != ".dxf":

@@ -38,8 +38,8 @@ class ReactionReader(FileReader):
 
 def preview_reactions(path: Path, text: str, folder: Path | None, choices: Choices) -> ReactionPreview:
     """Return what a table changes in a case."""
-    made = import_into(text, folder, path, choices)
-    changes = [str(change) for change in made.changes]
+    imported = import_into(text, folder, path, choices)
+    changes = [str(change) for change in imported.changes]
     if len(changes) > LISTED:
         changes[LISTED:] = [f"{len(changes) - LISTED} more"]
-    return ReactionPreview(made.text, tuple(changes), tuple(map(str, made.sums)), made.remarks)
+    return ReactionPreview(imported.text, tuple(changes), tuple(map(str, imported.sums)), imported.remarks)

@@ -21,9 +21,9 @@ def usual_factors(data: Mapping[str, Any] | None) -> dict[str, Any]:
     parts: tuple[Any, ...] = tuple({} if data is None else data.get(name) for name in ("combine", "reinforcement"))
     named = [part["annex"] for part in parts if isinstance(part, Mapping) and isinstance(part.get("annex"), str)]
     annex = named[0] if named else "recommended"
-    own = factors_of(annex)
+    factors = factors_of(annex)
     return {
-        **{key: own.get(key, Combine.model_fields[key].default) for key in ("permanent", "variable")},
+        **{key: factors.get(key, Combine.model_fields[key].default) for key in ("permanent", "variable")},
         "psi": {
             **PSI, **psi_of(annex), "variable": [LoadCase.model_fields[f"psi_{n}"].default for n in range(3)],
         },

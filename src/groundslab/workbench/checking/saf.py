@@ -32,8 +32,8 @@ class SafReader(FileReader):
 
     def convert(self, path: Path, slab: str) -> ConvertedSlab:
         """Return the case that a slab of a file is; raises InputError."""
-        made: ConvertedSlab = self.call(convert_slab, path, slab)
-        return made
+        converted: ConvertedSlab = self.call(convert_slab, path, slab)
+        return converted
 
 
 def survey_slabs(path: Path) -> list[dict[str, Any]]:

@@ -28,8 +28,8 @@ class SlabReader:
         The plan of a building may be measured from the slab's middle, and be turned along x and y.
         """
         if _is_building(path):
-            made = self._buildings.convert(path, slab, "center" if centered else "own", aligned)
-            return ConvertedSlab(made.text, made.report_text())
+            converted = self._buildings.convert(path, slab, "center" if centered else "own", aligned)
+            return ConvertedSlab(converted.text, converted.report_text())
         if centered or aligned:
             raise InputError([Issue(str(path), "a SAF file whose plan is to be moved", "its own coordinates")])
         return self._saf.convert(path, slab)

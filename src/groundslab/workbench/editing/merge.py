@@ -46,10 +46,10 @@ def merge(base: str, mine: str, theirs: str) -> str | None:
     expected = {key: value for key, value in other.items() if key not in changed_own}
     expected |= {key: value for key, value in own.items() if key in changed_own}
     try:
-        found = tomllib.loads(merged)
+        parsed = tomllib.loads(merged)
     except tomllib.TOMLDecodeError:
         return None
-    return merged if found == expected else None
+    return merged if parsed == expected else None
 
 
 def _changed(before: Mapping[str, Any], after: Mapping[str, Any]) -> set[str]:

@@ -29,8 +29,8 @@ class CaseWriter:
         with self._lock:
             process = BoundedProcess(partial(load_libraries, ("shapely", "openpyxl")))
             try:
-                made: Exported = process.call(write_saf, text, seconds=self._seconds)
-                return made
+                exported: Exported = process.call(write_saf, text, seconds=self._seconds)
+                return exported
             except CallFailure as error:
                 found = f"a case that cannot be written ({error})"
                 raise InputError([Issue("the SAF file", found, "a smaller case")]) from None

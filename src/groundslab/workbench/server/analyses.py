@@ -72,8 +72,8 @@ class Analyses:
             revision, schedule = self._revision, self.solver.schedule
             fingerprint = "" if revision.result is None else revision.result.fingerprint
             latest, accuracies = schedule.results.latest, ("", *ACCURACIES)
-            known = [each for each in accuracies if latest and latest.fingerprint == (fingerprint, each)]
-            last = (known[0], latest.answer) if known and latest and not latest.is_provisional else None
+            solved = [accuracy for accuracy in accuracies if latest and latest.fingerprint == (fingerprint, accuracy)]
+            last = (solved[0], latest.answer) if solved and latest and not latest.is_provisional else None
         if last is not None and last[0] == "" and last[1].unknowns:
             return list_costs(find_work(last[1]), schedule.rate, last)
         work = self._counter.count(fingerprint, revision.text) if fingerprint else None

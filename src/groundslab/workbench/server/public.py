@@ -74,10 +74,10 @@ def add_document_route(app: FastAPI, get_document: Callable[[int, str], Response
 def openapi(app: FastAPI) -> dict[str, Any]:
     """Return the description of an application's public routes."""
     routes = [_with_shapes(route) for route in app.routes if isinstance(route, APIRoute) and PUBLIC in route.tags]
-    found = get_openapi(title="groundslab", version=str(FORMAT), description=_ABOUT, routes=routes)
+    description = get_openapi(title="groundslab", version=str(FORMAT), description=_ABOUT, routes=routes)
     token = {"type": "apiKey", "in": "header", "name": "X-Groundslab-Token"}
-    found.setdefault("components", {})["securitySchemes"] = {"token": token}
-    return found | {"security": [{"token": []}]}
+    description.setdefault("components", {})["securitySchemes"] = {"token": token}
+    return description | {"security": [{"token": []}]}
 
 
 def _with_shapes(route: APIRoute) -> APIRoute:

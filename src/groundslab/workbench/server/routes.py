@@ -241,8 +241,8 @@ def _add_import_routes(app: FastAPI, session: Session) -> None:
 
     @app.post("/api/drawing")
     def open_drawing(body: OpenDrawing) -> dict[str, Any]:
-        made = session.open_drawing(body.file, body.layers, body.unit, body.centered, body.gap, body.union)
-        return {"state": session.get_state(), "report": made.report, "origin": made.origin}
+        converted = session.open_drawing(body.file, body.layers, body.unit, body.centered, body.gap, body.union)
+        return {"state": session.get_state(), "report": converted.report, "origin": converted.origin}
 
     @app.get("/api/slabs")
     def survey_slabs(file: str) -> JSONResponse:
@@ -250,15 +250,15 @@ def _add_import_routes(app: FastAPI, session: Session) -> None:
 
     @app.post("/api/slabs")
     def open_slab(body: OpenSlab) -> dict[str, Any]:
-        made = session.open_slab(body.file, body.slab, body.centered, body.aligned)
-        return {"state": session.get_state(), "report": made.report}
+        converted = session.open_slab(body.file, body.slab, body.centered, body.aligned)
+        return {"state": session.get_state(), "report": converted.report}
 
     @app.post("/api/reactions")
     def import_reactions(body: ImportReactions) -> dict[str, Any]:
         choices = Choices(body.new_cases, body.cases, body.supports, body.move_columns, body.reading)
-        found = session.import_reactions(body.file, choices, body.base)
+        imported = session.import_reactions(body.file, choices, body.base)
         state = {} if body.base is None else {"state": session.get_state()}
-        return {"changes": found.changes, "sums": found.sums, "remarks": found.remarks, **state}
+        return {"changes": imported.changes, "sums": imported.sums, "remarks": imported.remarks, **state}
 
 
 def add_schema_route(app: FastAPI) -> None:

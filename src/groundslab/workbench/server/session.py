@@ -157,9 +157,9 @@ class Session:
     ) -> ConvertedDrawing:
         """Begin a new document made from a drawing, and return that; raises InputError."""
         path = case_file.resolve_path(name, self.file.folder)
-        made = self._drawings.convert(path, layers, unit, centered, gap, union)
-        self._begin(Document(made.text), CaseFile(None, None))
-        return made
+        converted = self._drawings.convert(path, layers, unit, centered, gap, union)
+        self._begin(Document(converted.text), CaseFile(None, None))
+        return converted
 
     def survey_slabs(self, name: str) -> list[dict[str, Any]]:
         """Return the slabs of a SAF file or a building, none if a workbook is another one; raises InputError."""
@@ -167,9 +167,9 @@ class Session:
 
     def open_slab(self, name: str, slab: str, centered: bool, aligned: bool) -> ConvertedSlab:
         """Begin a new document made from a slab of a file, and return that; raises InputError."""
-        made = self._slabs.convert(case_file.resolve_path(name, self.file.folder), slab, centered, aligned)
-        self._begin(Document(made.text), CaseFile(None, None))
-        return made
+        converted = self._slabs.convert(case_file.resolve_path(name, self.file.folder), slab, centered, aligned)
+        self._begin(Document(converted.text), CaseFile(None, None))
+        return converted
 
     def import_reactions(self, name: str, choices: Choices, base: int | None) -> ReactionPreview:
         """Return what a table of reactions changes; take it as a step of undo into the version that is given, if any.

@@ -152,7 +152,7 @@ def compare_designs(text: str, folder: Path, on_begin: OnBegin) -> Compared:
         begun += 1
 
     comparison = compare_texts(text, folder, tell)
-    return Compared(designs_to_json(comparison), {each.name: each.text for each in comparison.alternatives})
+    return Compared(designs_to_json(comparison), {design.name: design.text for design in comparison.alternatives})
 
 
 def designs_to_json(comparison: DesignComparison) -> bytes:

@@ -71,10 +71,10 @@ def count_made(results: Results) -> tuple[int, int, float | None]:
     Unknowns are 0 where all combinations are refused.
     """
     mesh = results.model.mesh
-    one, accuracy = next(iter(results.values()), None), mesh.largest_error if mesh.adaptive else None
-    if one is None:
+    first, accuracy = next(iter(results.values()), None), mesh.largest_error if mesh.adaptive else None
+    if first is None:
         return 0, 1, accuracy
-    return one.unknowns, 1 if one.mesh_history is None else len(one.mesh_history.unknowns), accuracy
+    return first.unknowns, 1 if first.mesh_history is None else len(first.mesh_history.unknowns), accuracy
 
 
 def find_work(answer: Answer) -> Work:
@@ -89,8 +89,8 @@ def with_accuracy(text: str, accuracy: str) -> str:
     It stays as it is with "", and where the case gives the mesh, of which no accuracy can be asked.
     """
     document = Document(text)
-    given = (document.data or {}).get("mesh", {})
-    if not accuracy or "size" in given or "counts" in given:
+    mesh = (document.data or {}).get("mesh", {})
+    if not accuracy or "size" in mesh or "counts" in mesh:
         return text
     return document.apply([{"op": "set", "path": ["mesh", "accuracy"], "value": accuracy}]).text
 

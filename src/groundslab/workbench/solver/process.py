@@ -190,8 +190,8 @@ def _outcome(
     tables = layout_makers(results) if with_checks else {}
     start, first = times
     seconds = time.perf_counter() - start
-    made = count_made(results)
-    answer = Answer(seconds, refused, summary, tuple(tables), provisional_words(results), first, *made)
+    counts = count_made(results)
+    answer = Answer(seconds, refused, summary, tuple(tables), provisional_words(results), first, *counts)
     solved_text, case = texts
     return answer, scene, Solved(solved_text, results, tables, case)
 
@@ -224,14 +224,14 @@ def main(pipe: Connection, stop: Any, task: Task, prepare: Prepare | None) -> No
     if prepare is not None:
         _prepare(pipe, prepare)
     pipe.send(("warm",))
-    known: Mapping[int, Any] = {}
+    by_run: Mapping[int, Any] = {}
     while True:
         try:
             kind, run, *rest = pipe.recv()
             if kind == "solve":
-                known = _solve(pipe, stop, task, (run, *rest), known)
+                by_run = _solve(pipe, stop, task, (run, *rest), by_run)
             else:
-                _send_view(pipe, (kind, run, rest[0]), known)
+                _send_view(pipe, (kind, run, rest[0]), by_run)
         except (EOFError, BrokenPipeError, ConnectionResetError):
             return
 

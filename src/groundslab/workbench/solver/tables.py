@@ -44,15 +44,15 @@ def layout_makers(combined: Results) -> dict[str, Maker]:
     """Return the function for each table by the table's name, in the order of the report."""
     makers: dict[str, Maker] = {name: partial(_layout_table, make) for name, make in table_makers(combined).items()}
     entries = combinations.entries(combined)
-    there = [entry.results for entry in entries if entry.results is not None]
-    if any(results.constants.k0 for results in there):
+    solved = [entry.results for entry in entries if entry.results is not None]
+    if any(results.constants.k0 for results in solved):
         makers["constants"] = lambda: replace(
             content.list_constants(entries, combined.model.units), title="Constants of the ground"
         )
-    if there:
+    if solved:
         makers["mesh"] = lambda: content.layout_section(content.list_sections(combined)[1], combined.model.units)
         makers["steps"] = lambda: replace(content.list_steps(entries), title="Steps of the analysis")
-    if any(results.comparison is not None for results in there):
+    if any(results.comparison is not None for results in solved):
         makers["errors"] = partial(_list_errors, combined)
     return makers
 
@@ -99,14 +99,14 @@ def _head_to_json(head: TableHeader, at: int, texts: Sequence[str]) -> dict[str,
     stem = texts[at]
     for start in ("x of the ", "y of the ", "combination of the "):
         stem = stem.removeprefix(start)
-    known = {text: position for position, text in enumerate(texts)}
+    positions = {text: position for position, text in enumerate(texts)}
     return {
         "text": head.text,
         "unit": head.unit,
         "number": head.number,
         "symbol": head.symbol,
-        "place": _find_place(stem, known),
-        "combination": known.get(f"combination of the {stem}", known.get("combination")),
+        "place": _find_place(stem, positions),
+        "combination": positions.get(f"combination of the {stem}", positions.get("combination")),
         "field": FIELDS_OF_HEADS.get(head.text),
     }
 
