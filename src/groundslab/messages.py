@@ -16,12 +16,16 @@ import numpy as np
 
 from groundslab.arrays import Array
 from groundslab.unit_systems import System, quantities_in, unit_in
-from groundslab.units import format_coordinate
+from groundslab.units import format_coordinate, format_drawn, format_drawn_coordinate
 
 #: What fills a hole: a text, a number or a place.
 Value = str | float | Sequence[float] | Array
 #: What stands in a hole of a template, and returns its text; the second is what follows the hole's colon.
 Writer = Callable[[Any, str], str]
+#: Formats that Python has not: of coordinates, and of coordinates and numbers on figures.
+FORMATS: Mapping[str, Callable[[float], str]] = {
+    "at": format_coordinate, "place": format_drawn_coordinate, "number": format_drawn,
+}  # fmt: skip
 
 
 class Name(str):
@@ -48,8 +52,8 @@ class Message(str):
     template : str
         English text with named holes, as in "{beam}: {M:.4g kNm} at {place:.3f m}". A hole has the format of its
         number and its unit of display, in which the value is given. A unit in brackets is not written, as another
-        number with the same one follows: "{w:.3g (mm)} <= {limit:.3g mm}". The format "at" is that of coordinates, see
-        `units.format_coordinate`.
+        number with the same one follows: "{w:.3g (mm)} <= {limit:.3g mm}". See `FORMATS` for
+        others than Python's, such as "at" of coordinates.
     **values : float, tuple of float or str
         What fills the holes: a number, a place, a `Name`, another message.
 
@@ -134,6 +138,22 @@ def joined(parts: Iterable[str], mark: str = ", ") -> Listed:
     return Listed._made(mark, {str(number): part for number, part in enumerate(parts, start=1)}, "SI")
 
 
+def capitalized(text: str, change: Callable[[str], str] = str.upper) -> str:
+    """Return a text with its first letter in upper case, or in lower case; of a message, that of its template."""
+    if isinstance(text, Name) or not text:
+        return text
+    if not isinstance(text, Message):
+        return change(text[0]) + text[1:]
+    values, template = dict(text.values), text.template
+    if isinstance(text, Listed) or template.startswith("{"):
+        first = next(iter(values)) if isinstance(text, Listed) else holes_of(template)[0][1]
+        assert first is not None
+        values[first] = capitalized(values[first], change)
+    else:
+        template = change(template[0]) + template[1:]
+    return type(text)._made(template, values, text.units)
+
+
 def counted(count: int, one: str, many: str, **values: Value) -> Message:
     """Return the message about one thing or that about several; each has a hole for their `count`."""
     return Message(one if count == 1 else many, count=count, **values)
@@ -204,7 +224,7 @@ def written(value: Any, spec: str, units: System = "SI") -> str:
 
     def number(value: Any) -> str:
         scaled = value if factor == 1.0 else value * factor
-        return format_coordinate(scaled) if form == "at" else format(scaled, form)
+        return FORMATS[form](scaled) if form in FORMATS else format(scaled, form)
 
     text = f"({', '.join(map(number, value))})" if np.ndim(value) else number(value)
     return f"{text} {shown}" if shown and not unit.startswith("(") else text

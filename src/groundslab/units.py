@@ -209,6 +209,16 @@ def format_number(
     return (text + tail).replace("-", minus)
 
 
+def format_drawn(value: float) -> str:
+    """Return a number as figures have it: four significant digits and a true minus sign."""
+    return format_number(value, 4, trim=True, fixed=(1e-4, 1e7), minus="\N{MINUS SIGN}")
+
+
+def format_drawn_coordinate(value: float) -> str:
+    """Return a coordinate as figures have it: three decimals at most and a true minus sign."""
+    return format_coordinate(round(value, 3)).replace("-", "\N{MINUS SIGN}")
+
+
 def show(value: float, dimension: str) -> str:
     """Return a quantity given in SI units as people write it, with five digits and a fitting unit."""
     (text,), unit = together([value], dimension)

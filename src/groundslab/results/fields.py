@@ -8,7 +8,7 @@ from typing import Literal
 import numpy as np
 
 from groundslab.arrays import Array
-from groundslab.messages import Message
+from groundslab.messages import Message, Name
 from groundslab.unit_systems import DISPLAYED
 from groundslab.units import Unit
 
@@ -41,7 +41,11 @@ class ResultField:
     @property
     def label(self) -> str:
         """Return quantity and symbol, as in "moment m_x"."""
-        return f"{self.quantity} {self.symbol}".rstrip()
+        if not self.symbol:
+            return self.quantity
+        if isinstance(self.quantity, Message):
+            return Message("{quantity} {symbol}", quantity=self.quantity, symbol=self.symbol)
+        return f"{self.quantity} {self.symbol}"
 
     @property
     def head(self) -> tuple[str, str]:
@@ -152,49 +156,43 @@ PRINCIPAL: dict[str, ResultField] = {
 }
 DIRECTION = {"direction": ResultField("direction of m_1 from x", "", "deg", "slope", "its direction", "any", PATCHES)}
 
-_WOOD = "design moment of Wood and Armer for {} bars along {}"
+_WOOD = "design moment of Wood and Armer for {face} bars along {axis}"
 _FACES: tuple[tuple[str, Sign], ...] = (("bottom", "not negative"), ("top", "not positive"))
 #: Design moments of the four layers of bars.
 LAYERS: dict[str, ResultField] = {
     f"{face}_{axis}": _moment(
-        Message("design moment {face} {axis}", face=face, axis=axis), "", _WOOD.format(face, axis), sign
+        Message("design moment {face} {axis}", face=face, axis=axis), "", Message(_WOOD, face=face, axis=axis), sign
     )
     for face, sign in _FACES
     for axis in "xy"
 }
 
-_ULTIMATE = "over all ultimate combinations"
 #: What is told of bars: symbol, unit, dimension, quantity, meaning.
 _OF_BARS = {
     "required": (
-        "a_req",
-        "cm2/m",
-        "area per length",
-        "required area",
-        Message("the largest {ultimate}", ultimate=_ULTIMATE),
+        "a_req", "cm2/m", "area per length", "required area {face} {axis}",
+        "required area {face} {axis}, the largest over all ultimate combinations",
     ),
-    "provided": ("a_prov", "cm2/m", "area per length", "provided area", "of the bars provided there"),
+    "provided": (
+        "a_prov", "cm2/m", "area per length", "provided area {face} {axis}",
+        "provided area {face} {axis}, of the bars provided there",
+    ),
     "utilisation": (
-        "eta",
-        "%",
-        "share",
-        "utilisation",
-        Message("required over provided area {ultimate}", ultimate=_ULTIMATE),
+        "eta", "%", "share", "utilisation {face} {axis}",
+        "utilisation {face} {axis}, required over provided area over all ultimate combinations",
     ),
     "missing": (
-        "a_miss",
-        "cm2/m",
-        "area per length",
-        "missing area",
-        Message("required less provided {ultimate}", ultimate=_ULTIMATE),
+        "a_miss", "cm2/m", "area per length", "missing area {face} {axis}",
+        "missing area {face} {axis}, required less provided over all ultimate combinations",
     ),
-}
+}  # fmt: skip
 #: Fields of the four layers of bars that belong to no single combination: what bending and the minimum need, what is
 #: laid, and both compared.
 BAR_FIELDS: dict[str, ResultField] = {
     f"{what}_{face}_{axis}": ResultField(
-        f"{quantity} {face} {axis}", f"{symbol} {face} {axis}", unit, dimension, f"{quantity} {face} {axis}, {meaning}",
-        "not negative", "of recovered moments",
+        Message(quantity, face=face, axis=axis),
+        Message("{symbol} {face} {axis}", symbol=Name(symbol), face=face, axis=axis),
+        unit, dimension, Message(meaning, face=face, axis=axis), "not negative", "of recovered moments",
     )
     for what, (symbol, unit, dimension, quantity, meaning) in _OF_BARS.items()
     for face, axis in (layer.split("_") for layer in LAYERS)

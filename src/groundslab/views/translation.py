@@ -2,20 +2,20 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from dataclasses import replace
-from html import escape, unescape
+from typing import TYPE_CHECKING
 
 from groundslab.arrays import made_once
 from groundslab.design.result_tables import tables_of
 from groundslab.design.tables.table import WORDS, Column, Table
 from groundslab.languages import Translator, translator
+from groundslab.messages import Name, words_in
 from groundslab.model.names import names_of
 from groundslab.results.results import CombinationResult, Results
 
-#: What stands between the tags of a drawing.
-_BETWEEN_TAGS = re.compile(r">([^<>]+)<")
+if TYPE_CHECKING:
+    from groundslab.model.model import Model
 
 
 @made_once
@@ -31,9 +31,12 @@ def translator_of(results: CombinationResult | Results) -> Translator:
     return translator(model.language, [*given, *cases, *several])
 
 
-def translate_drawing(svg: str, translate: Translator) -> str:
-    """Return a drawing as SVG with its words translated."""
-    return _BETWEEN_TAGS.sub(lambda words: f">{escape(translate(unescape(words[1])), quote=False)}<", svg)
+@made_once
+def words_of(model: Model) -> Translator:
+    """Return what writes texts in the units and the language of a case, as names that nothing changes any more."""
+    names = frozenset(names_of(model))
+    translate = translator(model.language, names)
+    return lambda text: Name(translate(words_in(text, model.units, names)))
 
 
 def translated_tables(combined: Results) -> Iterator[Table]:

@@ -6,10 +6,12 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from groundslab.messages import Message
 from groundslab.model.names import names_of
-from groundslab.views.ground_comparison.rows import headings
+from groundslab.views.ground_comparison.rows import headings, source_of
 from groundslab.views.plots import style
 from groundslab.views.plots.request import DOWNWARDS, QUANTITIES
+from groundslab.views.translation import words_of
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -65,8 +67,8 @@ def plot_comparison(comparison: GroundComparison, to: str | Path | None = None) 
 
 def draw_comparison(comparison: GroundComparison, titled: bool = True) -> Figure:
     """Return the figure, in the style that is in force."""
-    page = style.Page(style.PAGE_WIDTH)
-    source = f"{comparison.combination} ({comparison.limit_state})" if comparison.model.cases else ""
+    page = style.Page(style.PAGE_WIDTH, words_of(comparison.model))
+    source = source_of(comparison) if comparison.model.cases else ""
     top = page.write_heading(comparison.model.title, [source]) if titled else style.MARGIN
     legend: dict[str, Any] = {}
     for column, (axis, fields) in enumerate(ROWS.items()):
@@ -76,7 +78,8 @@ def draw_comparison(comparison: GroundComparison, titled: bool = True) -> Figure
             legend |= _draw_curves(axes, comparison, axis, field)
             axes.tick_params(labelbottom=row == len(fields) - 1)
         across, where = ("y", comparison.place[1]) if axis == "x" else ("x", comparison.place[0])
-        axes.set_xlabel(f"{axis}, at {across} = {style.number(round(where, 3))} m [m]")
+        place = Message(f"{{axis}}, at {across} = {{where:number m}}", axis=axis, where=round(where, 3))
+        axes.set_xlabel(Message("{label} [{unit}]", label=place, unit="m"))
     return page.finish(top + 3 * HIGH + 2 * GAP + AXIS, legend)
 
 

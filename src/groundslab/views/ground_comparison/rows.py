@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from groundslab.analysis.ground_comparison.figures import COMPARED_FIELDS, FIGURES
 from groundslab.design.tables.table import Table, in_units, table_of
-from groundslab.messages import words_in
+from groundslab.messages import Message, Name, words_in
 from groundslab.results.fields import PLATE_FIELDS
 from groundslab.unit_systems import in_system, unit_in
 from groundslab.units import UNITS, format_number
@@ -48,7 +48,15 @@ class ComparisonRow:
 
 def headings(comparison: GroundComparison) -> tuple[str, ...]:
     """Return the name of each ground, and whether its constants were fitted."""
-    return tuple(f"{ground.name}, fitted" if ground.fitted else ground.name for ground in comparison.grounds)
+    return tuple(
+        Message("{ground}, fitted", ground=ground.name) if ground.fitted else ground.name
+        for ground in comparison.grounds
+    )
+
+
+def source_of(comparison: GroundComparison) -> str:
+    """Return the combination and its limit state."""
+    return Message("{combination} ({state})", combination=Name(comparison.combination), state=comparison.limit_state)
 
 
 def figure_rows(comparison: GroundComparison) -> list[ComparisonRow]:
@@ -62,7 +70,7 @@ def figure_rows(comparison: GroundComparison) -> list[ComparisonRow]:
         differences = (None, *(None if other is None else 100 * other for other in others))
         rows.append(ComparisonRow(name, figure.label, unit, known, differences))
     for field in COMPARED_FIELDS:
-        label = f"rms difference of {PLATE_FIELDS[field].symbol}"
+        label = Message("rms difference of {symbol}", symbol=Name(PLATE_FIELDS[field].symbol))
         values: tuple[float | None, ...] = (None, *(100 * ground.rms[field] for ground in comparison.grounds[1:]))
         rows.append(ComparisonRow(f"rms_{field}", label, "%", values, (None,) * len(comparison.grounds)))
     return rows
@@ -89,7 +97,9 @@ RMS_NOTE = (
 
 def notes(comparison: GroundComparison) -> tuple[str, ...]:
     """Return the notes on a comparison."""
-    about = f'Combination "{comparison.combination}" ({comparison.limit_state}).'
+    about = Message(
+        'Combination "{combination}" ({state}).', combination=Name(comparison.combination), state=comparison.limit_state
+    )
     others = tuple(words_in(note, comparison.model.units) for note in comparison.notes)
     return (about, "Differences are those to the continuum, in percent of its value.", RMS_NOTE, *others)
 
@@ -98,7 +108,7 @@ def comparison_table(comparison: GroundComparison) -> Table:
     """Return the comparison as a table of numbers: a column for each ground, then one for each difference."""
     names = [ground.name for ground in comparison.grounds]
     heads = [("quantity", ""), ("unit", ""), *((name, "") for name in names)]
-    heads += [(f"difference of {name}", "%") for name in names[1:]]
+    heads += [(Message("difference of {ground}", ground=name), "%") for name in names[1:]]
     rows = [
         (row.name, row.unit, *row.values, *row.differences[1:])
         for row in (*figure_rows(comparison), *constant_rows(comparison))
@@ -112,7 +122,9 @@ def curve_table(comparison: GroundComparison) -> Table:
     fields = {field: PLATE_FIELDS[field] for field in next(iter(comparison.grounds[0].curves.values()))}
     heads = [("line", ""), ("x", "m"), ("y", "m")]
     heads += [
-        (f"{about.label} on {ground.name}", about.unit) for about in fields.values() for ground in comparison.grounds
+        (Message("{label} on {ground}", label=about.label, ground=ground.name), about.unit)
+        for about in fields.values()
+        for ground in comparison.grounds
     ]
     rows = []
     for axis, along in comparison.lines.items():

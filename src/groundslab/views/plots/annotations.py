@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from groundslab.messages import words_in
+from groundslab.messages import Message, Name
 from groundslab.results.contact_zone import goes_below_zero
 from groundslab.views.plots.panels import Panel, find_extremes
 from groundslab.views.plots.style import (
@@ -19,17 +19,17 @@ from groundslab.views.plots.style import (
     INK,
     PT,
     SMALL,
-    number,
-    place_words,
     plain_text,
     text_width,
     white_outline,
 )
+from groundslab.views.translation import words_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from groundslab.arrays import Array
+    from groundslab.languages import Translator
     from groundslab.model.model import Model
 
 Point = tuple[float, float]
@@ -104,23 +104,36 @@ class TitleLine(NamedTuple):
     weight: str
 
 
-def panel_title(panel: Panel, width: float, *, with_source: bool) -> list[TitleLine]:
-    """Return the lines above a plan: of what it is if that is to be facts, what it shows, its extremes, the contact."""
+def panel_title(panel: Panel, model: Model, width: float, *, with_source: bool) -> list[TitleLine]:
+    """Return the lines above a plan: of what it is if that is to be facts, what it shows, its extremes, the contact.
+
+    They are in the units and the language of the model.
+    """
+    say = words_of(model)
     uplift = panel.quantity.name == "settlement" and goes_below_zero(panel.values) and not panel.difference
-    facts = []
+    facts: list[str] = []
     for word, value, where, whose in find_extremes(panel):
         called, shown = ("uplift", -value) if uplift and word == "smallest" else (word, value)
-        governs = f" ({plain_text(whose, 40)})" if whose else ""
-        facts.append(f"{called} {number(shown)} {panel.quantity.field.unit} at {place_words(where)}{governs}")
+        said = Message(
+            f"{called} {{value:number {panel.quantity.field.unit}}} at {{place:place m}}", value=shown, place=where
+        )
+        facts.append(said_of(said, plain_text(whose, 40)))
     if not facts:
         facts.append("zero everywhere")
     if panel.line_force is not None:
-        facts.append(f"edge line force up to {number(panel.line_force[0])} kN/m at {place_words(panel.line_force[1])}")
+        force, where = panel.line_force
+        facts.append(Message("edge line force up to {force:number kN/m} at {place:place m}", force=force, place=where))
     if panel.quantity.name in ("pressure", "gap") and panel.share is not None:
-        facts.append(f"{number(100 * panel.share)} % of the plate in contact")
-    lines = [TitleLine(text, BASE, GREY, "bold") for text in (_wrapped(panel.source, width) if with_source else [])]
-    lines += [TitleLine(text, BASE, INK, "bold") for text in _wrapped(panel.quantity.title, width)]
-    return [*lines, *(TitleLine(text, SMALL, GREY, "normal") for text in _joined(facts, width))]
+        facts.append(Message("{share:number} % of the plate in contact", share=100 * panel.share))
+    source = _wrapped(say(panel.source), width) if with_source else []
+    lines = [TitleLine(text, BASE, GREY, "bold") for text in source]
+    lines += [TitleLine(text, BASE, INK, "bold") for text in _wrapped(say(panel.quantity.title), width)]
+    return [*lines, *(TitleLine(text, SMALL, GREY, "normal") for text in _joined([*map(say, facts)], width))]
+
+
+def said_of(fact: str, combination: str) -> str:
+    """Return a fact with the combination that it comes from, where there are several."""
+    return Message("{fact} ({combination})", fact=fact, combination=Name(combination)) if combination else fact
 
 
 def title_height(head: Sequence[TitleLine]) -> float:
@@ -143,9 +156,9 @@ def _wrapped(words: str, width: float) -> list[str]:
     """Return bold words in at most two lines that are not wider than a width [mm]."""
     clean = plain_text(words, 500)
     letters = int(len(clean) * min(1.0, width / max(text_width(clean, BASE, "bold"), 1e-9))) + 1
-    lines = clean.splitlines()
+    lines: list[str] = [*map(Name, clean.splitlines())]
     while letters > 8 and any(text_width(line, BASE, "bold") > width for line in lines):
-        lines = plain_text(clean, letters, 2).splitlines()
+        lines = [*map(Name, plain_text(clean, letters, 2).splitlines())]
         letters -= 1
     return lines
 
@@ -154,7 +167,7 @@ def _joined(parts: Sequence[str], width: float) -> list[str]:
     """Return parts joined on as few lines as they need in a width [mm]."""
     lines = [parts[0]]
     for part in parts[1:]:
-        longer = f"{lines[-1]};  {part}"
+        longer = Name(f"{lines[-1]};  {part}")
         if text_width(longer, SMALL) <= width:
             lines[-1] = longer
         else:
@@ -194,7 +207,7 @@ def place_labels(model: Model, panel: Panel, per_meter: float, *, numbered: bool
     large the values are if they are wanted.
     """
     x0, x1, y0, y1 = (per_meter * bound for bound in model.bounds)
-    placement = LabelPlacement((x0, x1, y0, y1))
+    placement, say = LabelPlacement((x0, x1, y0, y1)), words_of(model)
     labels = []
     extremes = find_extremes(panel)
     for extreme in extremes:
@@ -204,24 +217,24 @@ def place_labels(model: Model, panel: Panel, per_meter: float, *, numbered: bool
     for middle, half in boxes:
         placement.reserve(middle, half)
     for word, value, (x, y), _ in extremes:
-        words = f"{'max' if word == 'largest' else 'min'} {number(value)}"
+        words = say(Message("max {value:number}" if word == "largest" else "min {value:number}", value=value))
         half = text_width(words, SMALL - 0.5) / 2 + 0.5, 0.6 * SMALL * PT
         middle = placement.place_beside((x * per_meter, y * per_meter), half, 1.6)
         labels.append(Label(words, middle, SMALL - 0.5, boxed=True))
     for column, ((x, y), half) in zip(model.columns if named else (), boxes, strict=False):
-        words = plain_text(column.name, 12)
+        words = plain_text(Name(column.name), 12)
         size = text_width(words, FOOT) / 2 + 0.2, 0.55 * FOOT * PT
         corners = [(x + i * (half[0] + size[0]), y + j * (half[1] + size[1])) for i, j in BESIDE]
         labels.append(Label(words, placement.place_best(corners, size), FOOT))
     for zone in (zone for plate in model.every_plate for zone in plate.zones):
         if zone.thickness is not None:
-            words = words_in(f"t = {zone.thickness:g} m", model.units)
+            words = say(Message("t = {thickness:g m}", thickness=zone.thickness))
             size = text_width(words, FOOT + 0.5) / 2 + 0.4, 0.6 * (FOOT + 0.5) * PT
             (x, y), half = _bounding_box(np.array(zone.shape.ring().flat(np.inf)) * per_meter)
             inner = half[0] - size[0] - 0.6, half[1] - size[1] - 0.6
             corners = [(x + i * inner[0], y + j * inner[1]) for i, j in INSIDE]
             labels.append(Label(words, placement.place_best(corners, size), FOOT + 0.5))
-    return [*labels, *(_place_numbers(panel, per_meter, placement.taken) if numbered else ())]
+    return [*labels, *(_place_numbers(panel, per_meter, placement.taken, say) if numbered else ())]
 
 
 #: Numbers stand so far apart at least [mm], and have so many digits.
@@ -229,7 +242,7 @@ APART, DIGITS = (9.0, 6.0), 3
 
 
 def _place_numbers(
-    panel: Panel, per_meter: float, taken: Sequence[tuple[float, float, float, float]]
+    panel: Panel, per_meter: float, taken: Sequence[tuple[float, float, float, float]], say: Translator
 ) -> Iterator[Label]:
     """Yield values of a panel at their nodes where nothing stands, the largest in size first."""
     places, sizes = panel.nodes * per_meter, np.abs(panel.values)
@@ -245,7 +258,7 @@ def _place_numbers(
         value = float(panel.values[node])
         words = f"{value:.{DIGITS}g}" if abs(value) < 10**DIGITS else f"{value:.0f}"
         x, y = places[node]
-        yield Label(words.replace("-", "\N{MINUS SIGN}"), (float(x), float(y)), FOOT)
+        yield Label(say(words.replace("-", "\N{MINUS SIGN}")), (float(x), float(y)), FOOT)
         left = others[(np.abs(places[others] - places[node]) > 2 * half).any(axis=1)]
 
 

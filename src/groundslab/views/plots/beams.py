@@ -7,11 +7,13 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from groundslab.messages import Message, Name
 from groundslab.unit_systems import in_system, unit_in
 from groundslab.units import UNITS
 from groundslab.views.plots import style
 from groundslab.views.plots.annotations import TitleLine, draw_title
 from groundslab.views.plots.panels import NOT_CERTIFIED
+from groundslab.views.translation import words_of
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -58,7 +60,7 @@ def batches(curves: Sequence[BeamCurves]) -> list[Sequence[BeamCurves]]:
 
 def curves_along(request: PlotRequest) -> list[BeamCurves]:
     """Return the curves of each beam; of more combinations than can be told apart the largest and the smallest."""
-    names = tuple(combination.name for combination in request.combinations)
+    names = tuple(Name(combination.name) for combination in request.combinations)
     band = bool(request.envelope) or len(names) > len(style.CYCLE)
     found, units = [], request.combined.model.units
     for beams in zip(*(combination.results.beams for combination in request.combinations), strict=True):
@@ -70,14 +72,14 @@ def curves_along(request: PlotRequest) -> list[BeamCurves]:
             del values["axial"]
         if band:
             values = {name: np.stack([rows.max(axis=0), rows.min(axis=0)]) for name, rows in values.items()}
-        words = (f"largest of {len(names)} combinations", "smallest") if band else names
-        found.append(BeamCurves(beams[0].name, beams[0].way, values, words, band))
+        words = (Message("largest of {count} combinations", count=len(names)), "smallest") if band else names
+        found.append(BeamCurves(Name(beams[0].name), beams[0].way, values, words, band))
     return found
 
 
 def draw_curves(request: PlotRequest, curves: Sequence[BeamCurves], *, titled: bool = True) -> Figure:
     """Return beams one below the other."""
-    page = style.Page(style.PAGE_WIDTH)
+    page = style.Page(style.PAGE_WIDTH, words_of(request.combined.model))
     top = 0.0
     if titled:
         certified = all(combination.certified for combination in request.combinations)

@@ -7,7 +7,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from groundslab.messages import Message, Name, counted, joined
+from groundslab.units import format_drawn
 from groundslab.views.plots import style
+from groundslab.views.translation import words_of
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -36,7 +39,7 @@ def draw_pages(request: PlotRequest) -> list[Figure]:
 
 def _figure(request: PlotRequest, histories: Sequence[IterationHistory]) -> Figure:
     """Return histories one below the other."""
-    page = style.Page(style.PAGE_WIDTH)
+    page = style.Page(style.PAGE_WIDTH, words_of(request.combined.model))
     top = page.write_heading(request.combined.model.title, ["Convergence"])
     for history in histories:
         top += ABOVE
@@ -75,7 +78,7 @@ def _changed(axes: Axes, steps: Sequence[Step]) -> None:
         axes.plot(_numbers(part), changed[part], "o-", color=color, markersize=3, markerfacecolor=fill)
     axes.set_yscale("symlog", linthresh=1, linscale=0.5)
     axes.set(ylim=(-0.15, 2 * max(*changed, 1)), ylabel="changed [-]")
-    axes.yaxis.set_major_formatter(lambda value, _: style.number(value))
+    axes.yaxis.set_major_formatter(lambda value, _: format_drawn(value))
 
 
 def _in_contact(axes: Axes, steps: Sequence[Step]) -> None:
@@ -118,15 +121,16 @@ def _share_axis(boxes: Sequence[Axes], history: IterationHistory, name: str) -> 
     for unknowns, part in meshes_of(history.steps):
         if unknowns and (part.stop - part.start) * 12 > count:
             head.annotate(
-                f"{unknowns} unknowns", ((part.start + part.stop + 1) / 2, 1), xycoords=("data", "axes fraction"),
+                Message("{unknowns} unknowns", unknowns=unknowns),
+                ((part.start + part.stop + 1) / 2, 1), xycoords=("data", "axes fraction"),
                 xytext=(0, 1.2 / style.PT), textcoords="offset points", fontsize=style.SMALL - 1, ha="center",
                 color=style.GREY,
             )  # fmt: skip
     last = history.steps[-1]
-    outcome = history.outcome or f"converged in {count} step{'s' if count > 1 else ''}"
-    words = ": ".join(filter(None, [style.plain_text(name, 80), outcome]))
+    outcome = history.outcome or counted(count, "converged in {count} step", "converged in {count} steps")
+    words: str = joined(filter(None, [style.plain_text(Name(name), 80), outcome]), ": ")
     if last.gamma is not None:
-        words += f"; gamma = {last.gamma:.5g}"
+        words += Message("; gamma = {gamma:.5g}", gamma=last.gamma)
     head.annotate(
         words, (0, 1), xycoords="axes fraction", xytext=(0, 5 / style.PT), textcoords="offset points",
         fontsize=style.BASE, fontweight="bold", color=style.BAD if history.outcome else style.INK, parse_math=False,

@@ -11,8 +11,9 @@ import numpy as np
 from groundslab.fem.mesh import Mesh, interpolate, locate_nearest
 from groundslab.fem.shape_functions import q9
 from groundslab.geometry.plan import DRAWN_CHORD
+from groundslab.messages import Message, capitalized, joined
 from groundslab.unit_systems import in_system
-from groundslab.units import UNITS
+from groundslab.units import UNITS, format_drawn
 from groundslab.views.plots.annotations import draw_title, panel_title, title_height
 from groundslab.views.plots.contours import draw_color_bar, triangulation
 from groundslab.views.plots.panels import NOT_CERTIFIED, Panel, build_panel, shared_scales
@@ -27,8 +28,8 @@ from groundslab.views.plots.style import (
     Page,
     batch,
     label_of_axis,
-    number,
 )
+from groundslab.views.translation import words_of
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -104,13 +105,16 @@ def find_exaggeration(settlements: Sequence[Array], longest: float) -> float:
 
 def _figure(model: Model, surfaces: Sequence[Surface], among: Sequence[Surface], columns: int, width: float) -> Figure:
     """Return some panels on one sheet of some width [mm], in columns, with one exaggeration and the scales of all."""
-    page = Page(width)
+    page = Page(width, words_of(model))
     scales = shared_scales([surface.panel for surface in among])
     panels = [surface.panel for surface in surfaces]
     alike = len({panel.source for panel in panels}) == 1
     factor = find_exaggeration([surface.settlement for surface in surfaces], max(model.sides))
-    caption = f"deformed plate, settlements exaggerated {number(factor)} times; dashed: level before loading"
-    lines = [f"{panels[0].source}: {caption}" if alike and panels[0].source else caption[0].upper() + caption[1:]]
+    caption: str = Message(
+        "deformed plate, settlements exaggerated {factor:number} times; dashed: level before loading", factor=factor
+    )
+    source = panels[0].source
+    lines = [joined((source, caption), ": ") if alike and source else capitalized(caption)]
     top = page.write_heading(model.title, lines, "" if all(panel.certified for panel in panels) else NOT_CERTIFIED)
     column_width = width / columns
     box_width = column_width - RIGHT - 4
@@ -118,7 +122,7 @@ def _figure(model: Model, surfaces: Sequence[Surface], among: Sequence[Surface],
     box_height = min(PART_WIDE * box_width / wide * high / PART_HIGH, PAGE_HEIGHT / 2 - 35)
     legend: dict[str, Any] = {}
     for row in batch(surfaces, columns):
-        heads = [panel_title(surface.panel, box_width + RIGHT, with_source=not alike) for surface in row]
+        heads = [panel_title(surface.panel, model, box_width + RIGHT, with_source=not alike) for surface in row]
         top += max(map(title_height, heads))
         for column, (surface, head) in enumerate(zip(row, heads, strict=True)):
             left = column * column_width + 4
@@ -265,7 +269,7 @@ def _set_axes(axes: Any, model: Model, settlement: Array, factor: float, box: tu
     locator, scale = MaxNLocator(nbins=max(1, min(5, int(space))), steps=steps), -unit.scale / factor
     heights = [tick / scale for tick in locator.tick_values(high * scale, low * scale)]
     axes.set_zticks([z for z in heights if low - 1e-9 <= z <= high + 1e-9])
-    axes.zaxis.set_major_formatter(FuncFormatter(lambda z, _: f"{number(round(z * scale, 9))} {unit.name}"))
+    axes.zaxis.set_major_formatter(FuncFormatter(lambda z, _: f"{format_drawn(round(z * scale, 9))} {unit.name}"))
     axes.set_xlabel(label_of_axis(axes.xaxis, "x", x0), labelpad=3)
     axes.set_ylabel(label_of_axis(axes.yaxis, "y", y0), labelpad=3)
     axes.patch.set_alpha(0.0)

@@ -14,6 +14,7 @@ from groundslab.design.envelope import envelope
 from groundslab.design.required_bars import bar_fields
 from groundslab.design.tables.quantities import nodal_values
 from groundslab.errors import InputError, Issue
+from groundslab.messages import Message, Name, counted
 from groundslab.results.contact_zone import contact_function, has_line_force, require_finite
 from groundslab.results.fields import BAR_FIELDS, LINE_FORCE, PLATE_FIELDS, extreme, extreme_node, place_of
 from groundslab.results.results import CombinationResult, Results
@@ -127,11 +128,14 @@ def _difference_panel(
     move = transfer(minus.results.plate, combination.results.plate)
     values = move(nodal_values(minus.results, quantity.name) * quantity.factor)
     names = [
-        f"{plotted.results.model.title} {plotted.name}".strip() if combination.name == minus.name else plotted.name
+        Name(
+            f"{plotted.results.model.title} {plotted.name}".strip() if combination.name == minus.name else plotted.name
+        )
         for plotted in (combination, minus)
     ]
     return replace(
-        panel, source=f"{names[0]} minus {names[1]}", values=panel.values - values, line_force=None, contact=None,
+        panel, source=Message("{first} minus {second}", first=names[0], second=names[1]),
+        values=panel.values - values, line_force=None, contact=None,
         share=None, certified=combination.certified and minus.certified, difference=True,
     )  # fmt: skip
 
@@ -139,7 +143,7 @@ def _difference_panel(
 def build_panel(quantity: PlotQuantity, combination: PlottedCombination, named: bool, mesh: bool = False) -> Panel:
     """Return the panel of a quantity in one combination."""
     results, plate = combination.results, combination.results.plate
-    source = f"{combination.name} ({combination.limit_state})" if named else ""
+    source = combination.words if named else ""
     values, takes_part = nodal_values(results, quantity.name) * quantity.factor, load_filter(results.factors)
     force, contact = _line_force(quantity, [results]), contact_function(results)
     shown = (quantity, source, values, plate.nodes, plate.elements, takes_part, force)
@@ -178,7 +182,8 @@ def _envelope_panels(quantity: PlotQuantity, combinations: Sequence[PlottedCombi
         ("Smallest", extremes.least, extremes.least_by, quantity.field.sign == "not negative"),
     ):
         if not nothing:
-            source = f"{word} of the {len(combinations)} {state} combination{'s' if len(combinations) > 1 else ''}"
+            one, many = (f"{word} of the {{count}} {{state}} combination{s}" for s in ("", "s"))
+            source = counted(len(combinations), one, many, state=state)
             force = line_force if word == "Largest" else None
             governs = (extremes.names, by)
             yield Panel(quantity, source, values, plate.nodes, plate.elements, takes_part, force, governs=governs)
@@ -190,7 +195,9 @@ def _bar_panels(quantities: Sequence[PlotQuantity], request: PlotRequest) -> Ite
     fields = bar_fields(request.combined)
     plate = results[0].plate
     takes_part = load_filter([pair for result in results for pair in result.factors if pair[1]])
-    source = f"All {len(results)} ultimate combinations" if len(results) > 1 else results[0].combination
+    source: str = Name(results[0].combination)
+    if len(results) > 1:
+        source = Message("All {count} ultimate combinations", count=len(results))
     for quantity in quantities:
         values = fields[quantity.name] * quantity.field.scale
         yield Panel(quantity, source, values, plate.nodes, plate.elements, takes_part, None, mesh=request.mesh)

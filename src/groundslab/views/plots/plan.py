@@ -6,6 +6,7 @@ from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from groundslab.accuracy.mesh_statistics import mesh_statistics
+from groundslab.messages import Message, quantity
 from groundslab.model.axes.drawn import limits_with_axes
 from groundslab.model.loads.load_types import presses_ground
 from groundslab.model.names import names_of
@@ -25,11 +26,10 @@ from groundslab.views.plots.style import (
     Page,
     batch,
     label_of_axis,
-    number,
-    place_words,
     show_in,
 )
 from groundslab.views.plots.symbols import load_filter
+from groundslab.views.translation import words_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -64,7 +64,7 @@ def draw_panels(
     model: Model, panels: Sequence[Panel], scales: dict[str, ColorScale], columns: int, width: float, rows: int = 1
 ) -> Figure:
     """Return panels on one sheet of some width [mm], in columns; so small that some rows fit on a page."""
-    page = Page(width)
+    page = Page(width, words_of(model))
     alike = len({panel.source for panel in panels}) == 1
     certified = all(panel.certified for panel in panels)
     top = page.write_heading(model.title, [panels[0].source] if alike else [], "" if certified else NOT_CERTIFIED)
@@ -75,7 +75,7 @@ def draw_panels(
     box_height = box_width * ratio
     legend: dict[str, Any] = {}
     for row in batch(panels, columns):
-        heads = [panel_title(panel, box_width + RIGHT, with_source=not alike) for panel in row]
+        heads = [panel_title(panel, model, box_width + RIGHT, with_source=not alike) for panel in row]
         top += max(map(title_height, heads))
         for column, (panel, head) in enumerate(zip(row, heads, strict=True)):
             axes = page.add_axes(column * column_width + LEFT, top, box_width, box_height)
@@ -146,7 +146,7 @@ def draw_mesh(results: CombinationResult, *, titled: bool = True) -> Figure:
     model, plate = results.solved_model, results.plate
     ratio = _ratio(model)
     width = min(PAGE_WIDTH, max(LEFT + (PAGE_HEIGHT - 20 - ABOVE - BELOW) / ratio + EDGE, NARROW))
-    page = Page(width)
+    page = Page(width, words_of(model))
     top = 2.0 + (page.write_heading(model.title, describe_mesh(results)) if titled else 0.0)
     box_width = min(width - LEFT - EDGE, (PAGE_HEIGHT - top - BELOW) / ratio)
     axes = page.add_axes(LEFT, top, box_width, box_width * ratio)
@@ -159,12 +159,16 @@ def draw_mesh(results: CombinationResult, *, titled: bool = True) -> Figure:
 def describe_mesh(results: CombinationResult) -> tuple[str, str]:
     """Return in words how many elements there are, how large and how good."""
     about = mesh_statistics(results)
-    sizes = number(about.largest)
+    sizes = quantity(about.largest, "m", "number")
     if about.largest_place is not None:
-        sizes = f"{number(about.smallest)} to {sizes}"
-    worst = "" if about.worst_place is None else f" at {place_words(about.worst_place)}"
-    quality = f"scaled Jacobian {number(about.mean_quality)} on average, at worst {number(about.worst_quality)}{worst}"
-    return f"Mesh: {about.elements} elements of {sizes} m (root of the area)", quality
+        sizes = Message("{smallest:number (m)} to {largest:number m}", smallest=about.smallest, largest=about.largest)
+    quality = Message(
+        "scaled Jacobian {mean:number} on average, at worst {worst:number}",
+        mean=about.mean_quality, worst=about.worst_quality,
+    )  # fmt: skip
+    if about.worst_place is not None:
+        quality += Message(" at {place:place m}", place=about.worst_place)
+    return Message("Mesh: {count} elements of {sizes} (root of the area)", count=about.elements, sizes=sizes), quality
 
 
 def panels_per_page(ratio: float) -> tuple[int, int]:

@@ -10,6 +10,7 @@ import numpy as np
 
 from groundslab.design.required_bars import bar_fields
 from groundslab.errors import InputError, Issue, NotConverged
+from groundslab.messages import Message, Name, capitalized
 from groundslab.model.loads.load_cases import LimitState
 from groundslab.model.model import Model
 from groundslab.results.contact_zone import require_finite
@@ -49,20 +50,22 @@ class PlotQuantity:
     def symbol(self) -> str:
         """Return the symbol as a formula."""
         symbol, _, words = self.field.symbol.partition(" ")
+        if words:
+            return Message("{symbol} {words}", symbol=Name(math_symbol(symbol)), words=words)
         if symbol:
-            return f"{math_symbol(symbol)} {words}".rstrip()
+            return Name(math_symbol(symbol))
         face, _, axis = self.name.partition("_")
-        return rf"$m^*_{{{axis},\mathrm{{{face}}}}}$"
+        return Name(rf"$m^*_{{{axis},\mathrm{{{face}}}}}$")
 
     @property
     def title(self) -> str:
         """Return the meaning of the quantity as a title."""
-        return self.field.meaning[0].upper() + self.field.meaning[1:]
+        return capitalized(self.field.meaning)
 
     @property
     def label(self) -> str:
         """Return symbol and unit, for axes and color bars."""
-        return f"{self.symbol} [{self.field.unit.replace('kNm', 'kN m')}]"
+        return Message("{symbol} [{unit}]", symbol=self.symbol, unit=self.field.unit.replace("kNm", "kN m"))
 
     def in_units(self, system: System) -> PlotQuantity:
         """Return the quantity as it is drawn in the units of a system."""
@@ -114,6 +117,11 @@ class PlottedCombination:
     limit_state: str
     results: CombinationResult
     certified: bool
+
+    @property
+    def words(self) -> str:
+        """Return its name and its limit state, as in "ULS 1 (ultimate)"."""
+        return Message("{combination} ({state})", combination=Name(self.name), state=self.limit_state)
 
 
 @dataclass(frozen=True, slots=True)

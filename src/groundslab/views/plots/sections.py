@@ -12,17 +12,20 @@ from groundslab.design.demands.section_cuts import SectionCut, cut_along
 from groundslab.design.tables.quantities import point_values
 from groundslab.errors import InputError, Issue
 from groundslab.geometry.plan import DRAWN_CHORD
+from groundslab.messages import Message, Name, counted, joined
 from groundslab.results.fields import POINT_FIELDS
 from groundslab.views.plots import style, symbols
-from groundslab.views.plots.annotations import TitleLine, draw_title
+from groundslab.views.plots.annotations import TitleLine, draw_title, said_of
 from groundslab.views.plots.panels import NOT_CERTIFIED
 from groundslab.views.plots.request import DOWNWARDS, PlotQuantity
+from groundslab.views.translation import words_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
     from groundslab.arrays import Array
+    from groundslab.languages import Translator
     from groundslab.views.plots.request import PlotRequest, SectionLine
 
 #: Boxes of the curves [mm].
@@ -59,7 +62,7 @@ def sample_lines(request: PlotRequest) -> list[LineCurves]:
             missed += [replace(issue, location=f"line {line.name}".rstrip()) for issue in error.issues]
             continue
         values = [dict(zip(POINT_FIELDS, point_values(section.values), strict=True)) for section in sections]
-        names = tuple(combination.name for combination in request.combinations)
+        names: tuple[str, ...] = tuple(Name(combination.name) for combination in request.combinations)
         rows = {
             quantity.name: quantity.factor * np.stack([value[quantity.name] for value in values])
             for quantity in request.quantities
@@ -67,13 +70,19 @@ def sample_lines(request: PlotRequest) -> list[LineCurves]:
         band = bool(request.envelope) or len(names) > len(style.CYCLE)
         if band:
             rows = {name: np.stack([values.max(axis=0), values.min(axis=0)]) for name, values in rows.items()}
-            state = f"{request.envelope} ".lstrip()
-            plural = "s" if len(names) > 1 else ""
-            names = tuple(f"{word} of {len(names)} {state}combination{plural}" for word in ("largest", "smallest"))
+            names = tuple(_of_several(word, len(names), request.envelope) for word in ("largest", "smallest"))
         curves.append(LineCurves(line, sections[0], names, band, rows))
     if not curves:
         raise InputError(missed)
     return curves
+
+
+def _of_several(word: str, count: int, state: str) -> str:
+    """Return what the largest or the smallest values are taken over."""
+    if not state:
+        return Message(f"{word} of {{count}} combinations", count=count)
+    one, many = (f"{word} of {{count}} {{state}} combination{s}" for s in ("", "s"))
+    return counted(count, one, many, state=state)
 
 
 def draw_sheet(request: PlotRequest) -> Figure:
@@ -95,10 +104,11 @@ def _figure(
     request: PlotRequest, curves: Sequence[LineCurves], quantities: Sequence[PlotQuantity] | None = None
 ) -> Figure:
     """Return lines one below the other, of each some amounts."""
-    page = style.Page(style.PAGE_WIDTH)
+    say = words_of(request.combined.model)
+    page = style.Page(style.PAGE_WIDTH, say)
     certified = all(combination.certified for combination in request.combinations)
     first = request.combinations[0]
-    source = f"{first.name} ({first.limit_state})" if len(curves[0].names) == 1 and request.names_combinations else ""
+    source = first.words if len(curves[0].names) == 1 and request.names_combinations else ""
     top = page.write_heading(request.combined.model.title, [source], "" if certified else NOT_CERTIFIED)
     legend: dict[str, Any] = {}
     width = style.PAGE_WIDTH - LEFT - style.MARGIN - 3
@@ -107,7 +117,7 @@ def _figure(
         shown = quantities or request.quantities
         for row, quantity in enumerate(shown):
             axes = page.add_axes(LEFT, top + ABOVE, width, HIGH)
-            legend |= _draw_curves(axes, quantity, curve, last=row == len(shown) - 1)
+            legend |= _draw_curves(axes, quantity, curve, say, last=row == len(shown) - 1)
             top += ABOVE + HIGH + BELOW
         top += AXIS - BELOW + 3
     return page.finish(top, legend if len(curves[0].names) > 1 else {})
@@ -116,9 +126,9 @@ def _figure(
 def _draw_key_plan(page: style.Page, request: PlotRequest, line: SectionLine, top: float) -> float:
     """Write which line it is, and draw a small plan with it on the right; return how far down they reach."""
     model = request.combined.model
-    words = style.plain_text(line.name, 80) or "Section line"
+    words = style.plain_text(Name(line.name), 80) or "Section line"
     page.write(style.MARGIN, top + 4, words, fontsize=style.BASE + 0.5, fontweight="bold", color=style.INK)
-    ends = f"from {style.place_words(line.start)} to {style.place_words(line.end)}"
+    ends = Message("from {start:place m} to {end:place m}", start=line.start, end=line.end)
     page.write(style.MARGIN, top + 8.2, ends, fontsize=style.SMALL, color=style.GREY)
     axes = page.add_axes(style.PAGE_WIDTH - style.MARGIN - 3 - KEY_WIDTH, top, KEY_WIDTH, KEY_HEIGHT)
     axes.set_axis_off()
@@ -136,7 +146,9 @@ def _draw_key_plan(page: style.Page, request: PlotRequest, line: SectionLine, to
     return top + KEY_HEIGHT - 7.5
 
 
-def _draw_curves(axes: Axes, quantity: PlotQuantity, curves: LineCurves, *, last: bool) -> dict[str, Any]:
+def _draw_curves(
+    axes: Axes, quantity: PlotQuantity, curves: LineCurves, say: Translator, *, last: bool
+) -> dict[str, Any]:
     """Draw one quantity along a line; return the entries in the legend."""
     s, values = curves.section.s, curves.values[quantity.name]
     axes.axhline(0.0, color=style.GREY, linewidth=0.6, zorder=1)
@@ -151,7 +163,7 @@ def _draw_curves(axes: Axes, quantity: PlotQuantity, curves: LineCurves, *, last
         for part in parts:
             axes.fill_between(s[part], values[0, part], values[1, part], color=style.FAINT, linewidth=0, zorder=0.5)
     letters = int((style.PAGE_WIDTH - LEFT) / style.text_width("n", style.SMALL))
-    facts = style.plain_text(_describe_extremes(quantity, curves), letters)
+    facts = style.plain_text(say(_describe_extremes(quantity, curves)), letters)
     title = TitleLine(quantity.title, style.BASE, style.INK, "bold")
     draw_title(axes, [title, TitleLine(facts, style.SMALL, style.GREY, "normal")])
     axes.set(xlim=(0.0, float(np.hypot(*np.subtract(curves.line.end, curves.line.start)))), ylabel=quantity.label)
@@ -173,7 +185,9 @@ def _describe_extremes(quantity: PlotQuantity, curves: LineCurves) -> str:
     facts = []
     for word, where in (("largest", int(values.argmax())), ("smallest", int(values.argmin()))):
         curve, sample = divmod(where, values.shape[1])
-        place = f"at s = {style.number(curves.section.s[sample])} m"
-        whose = f" ({curves.names[curve]})" if len(curves.names) > 1 and not curves.band else ""
-        facts.append(f"{word} {style.number(values[curve, sample])} {quantity.field.unit} {place}{whose}")
-    return ";  ".join(facts)
+        fact = Message(
+            f"{word} {{value:number {quantity.field.unit}}} at s = {{s:number m}}",
+            value=values[curve, sample], s=curves.section.s[sample],
+        )  # fmt: skip
+        facts.append(said_of(fact, curves.names[curve] if len(curves.names) > 1 and not curves.band else ""))
+    return joined(facts, ";  ")

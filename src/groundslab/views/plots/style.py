@@ -15,11 +15,11 @@ from typing import TYPE_CHECKING, Any, TypeVar
 import numpy as np
 
 from groundslab._version import __version__
-from groundslab.geometry.plan import format_place
-from groundslab.messages import words_in
+from groundslab.languages import Translator
+from groundslab.messages import Message, Name, words_in
 from groundslab.model.names import names_of
 from groundslab.unit_systems import unit_in
-from groundslab.units import WHOLE, format_coordinate, format_number
+from groundslab.units import WHOLE, format_coordinate
 from groundslab.views.translation import translator_of
 
 if TYPE_CHECKING:
@@ -105,7 +105,8 @@ def plain_text(text: str, width: int = 200, lines: int = 1) -> str:
     It is shown with parse_math=False, so that a dollar sign in it is no formula.
     """
     clean = "".join(letter if letter.isprintable() else " " for letter in text)
-    return "\n".join(textwrap.wrap(clean, width, max_lines=lines, placeholder=" ..."))
+    wrapped = "\n".join(textwrap.wrap(clean, width, max_lines=lines, placeholder=" ..."))
+    return text if wrapped == text else Name(wrapped)
 
 
 def batch(items: Sequence[Item], size: int) -> list[Sequence[Item]]:
@@ -113,15 +114,9 @@ def batch(items: Sequence[Item], size: int) -> list[Sequence[Item]]:
     return [items[first : first + size] for first in range(0, len(items), size)]
 
 
-def number(value: float) -> str:
-    """Return a number with four significant digits and a true minus sign."""
-    return format_number(value, 4, trim=True, fixed=(1e-4, 1e7), minus="\N{MINUS SIGN}")
-
-
 def place_words(place: tuple[float, float], unit: str = "m") -> str:
     """Return a place in words, with three decimals at most and a true minus sign."""
-    x, y = place
-    return f"{format_place((round(x, 3), round(y, 3)))} {unit}".replace("-", "\N{MINUS SIGN}")
+    return Message(f"{{place:place {unit}}}", place=place)
 
 
 def label_of_axis(axis: Axis, name: str, low: float) -> str:
@@ -137,10 +132,9 @@ def label_of_axis(axis: Axis, name: str, low: float) -> str:
 
 def show_for(figure: Figure, results: Results) -> Figure:
     """Return a figure in the units and the language of a case."""
-    translate = translator_of(results)
     show_in(figure, results.model.units, names_of(results.model))
-    if translate is not str:
-        translate_figure(figure, translate)
+    if results.model.language != "en":
+        translate_figure(figure, translator_of(results))
     return figure
 
 
@@ -174,8 +168,9 @@ def show_in(figure: Figure, units: System, names: Collection[str] = ()) -> Figur
                 _show_lengths_in(axis, units)
     for text in figure.findobj(Text):
         assert isinstance(text, Text)
-        if "[" not in text.get_text():  # what labels an axis has been converted with it
-            text.set_text(words_in(text.get_text(), units, names))
+        words = text.get_text()
+        if isinstance(words, Message) or "[" not in words:  # what labels an axis has been converted with it
+            text.set_text(words_in(words, units, names))
     return figure
 
 
@@ -184,15 +179,18 @@ def _show_lengths_in(axis: Axis, units: System) -> None:
     from matplotlib.ticker import FixedLocator, FuncFormatter, MaxNLocator
 
     unit, per_meter = unit_in("m", units)
-    name = axis.get_label_text().removesuffix("[m]").partition("\N{MINUS SIGN}")[0].rstrip()
+    label = axis.get_label_text()
+    name = label.removesuffix("[m]").partition("\N{MINUS SIGN}")[0].rstrip()
     low, high = sorted(end * per_meter for end in axis.get_view_interval())
     count = max(2, len(axis.get_majorticklocs()))
     ticks = MaxNLocator(nbins=count, steps=[1, 2, 2.5, 5, 10]).tick_values(low, high)
     start = KILOMETER * math.floor(low / KILOMETER) if abs(low) >= WHOLE else 0
     axis.set_major_locator(FixedLocator([tick / per_meter for tick in ticks if low - 1e-9 <= tick <= high + 1e-9]))
     axis.set_major_formatter(FuncFormatter(lambda value, _: format_coordinate(round(value * per_meter - start, 6))))
-    name = words_in(name, units)
-    axis.set_label_text(f"{name} \N{MINUS SIGN} {start} [{unit}]" if start else f"{name} [{unit}]")
+    if isinstance(label, Message):
+        axis.set_label_text(words_in(Message(label.template, **{**label.values, "unit": unit}), units))
+    else:
+        axis.set_label_text(f"{name} \N{MINUS SIGN} {start} [{unit}]" if start else f"{name} [{unit}]")
 
 
 def math_symbol(name: str) -> str:
@@ -258,11 +256,11 @@ def _sheet() -> type[Figure]:
 
 
 class Page:
-    """A figure of some width [mm] in the making; how high it is comes out at the end."""
+    """A figure of some width [mm] in the making, in the words of a case; how high it is comes out at the end."""
 
-    def __init__(self, width: float) -> None:
+    def __init__(self, width: float, say: Translator = str) -> None:
         self.figure = _sheet()()
-        self.width = width
+        self.width, self.say = width, say
         self._axes: list[tuple[Axes, float, float, float, float]] = []
         self._texts: list[tuple[Text, float, float]] = []
 
@@ -274,7 +272,7 @@ class Page:
 
     def write(self, left: float, top: float, text: str, **look: Any) -> None:
         """Write a text, free of formulas, whose upper left corner (or what `ha` says) is at a place [mm]."""
-        written = self.figure.text(0, 0, text, va="top", parse_math=False, **look)
+        written = self.figure.text(0, 0, self.say(text), va="top", parse_math=False, **look)
         self._texts.append((written, left, top))
 
     def write_heading(self, title: str, lines: Sequence[str] = (), warning: str = "") -> float:
@@ -288,7 +286,7 @@ class Page:
             self._texts.append((written, MARGIN, top))
             top += LINE * TITLE * PT * (words.count("\n") + 1) + 0.8
         for line in filter(None, lines):
-            words = plain_text(line, int(space / text_width("n", BASE)), 2)
+            words = plain_text(self.say(line), int(space / text_width("n", BASE)), 2)
             self.write(MARGIN, top, words, fontsize=BASE, color=GREY)
             top += LINE * BASE * PT * (words.count("\n") + 1) + 0.4
         if warning:
@@ -301,7 +299,7 @@ class Page:
 
         Signed figures name the program and its version at the lower right.
         """
-        words = list(legend or {})
+        words = list(map(self.say, legend or {}))
         widths = [SAMPLE + text_width(word, SMALL) for word in words]
         space = self.width - 2 * MARGIN
         columns = next((k for k in range(len(words), 1, -1) if sum(_widest(widths, k)) <= space), 1)
@@ -312,8 +310,7 @@ class Page:
             made.set_position((left / self.width, 1 - (top + high) / height, wide / self.width, high / height))
         if signed:
             corner = (self.width - MARGIN, height - MARGIN - FOOT * PT)
-            words_of_ours = f"groundslab {__version__}"
-            self.write(*corner, words_of_ours, fontsize=FOOT, color=GREY, ha="right")
+            self.write(*corner, Name(f"groundslab {__version__}"), fontsize=FOOT, color=GREY, ha="right")
         for written, left, top in self._texts:
             written.set_position((left / self.width, 1 - top / height))
         if legend:

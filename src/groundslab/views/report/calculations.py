@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Literal
 from groundslab.design.basis.calculation import CONSTANTS, FUNCTIONS, SYMBOL
 from groundslab.design.tables.calculations import perimeters
 from groundslab.design.tables.table import Table
-from groundslab.messages import words_in
+from groundslab.messages import Message, words_in
 from groundslab.unit_systems import unit_in
 from groundslab.units import format_number
 from groundslab.views.plots.style import place_words
@@ -66,7 +66,9 @@ def draw_sheets(combined: Results, table: Table) -> list[Sheet]:
     sheets = []
     for number, (key, sheet) in enumerate(build_sheets(table, combined.model.units).items(), 1):
         if key in sketches:
-            drawn = draw_sketch(combined.solved_model, sketches[key], number, f"Perimeter: {sheet.title}")
+            drawn = draw_sketch(
+                combined.solved_model, sketches[key], number, Message("Perimeter: {title}", title=sheet.title)
+            )
             sheets.append(replace(sheet, sketch=drawn))
         else:
             sheets.append(sheet)

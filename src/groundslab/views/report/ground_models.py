@@ -12,6 +12,7 @@ from groundslab.views.ground_comparison.rows import constant_rows, figure_rows, 
 from groundslab.views.plots.export import to_inline_svg
 from groundslab.views.report.drawings.drawings import Drawing
 from groundslab.views.report.table_layout import Cell, TableHeader, TableLayout
+from groundslab.views.translation import words_of
 
 if TYPE_CHECKING:
     from groundslab.analysis.ground_comparison.comparison import GroundComparison
@@ -32,9 +33,8 @@ def build_chapter(comparison: GroundComparison) -> GroundChapter:
     """Return the chapter of a comparison."""
     figures = _layout(comparison, "Figures", figure_rows(comparison), notes(comparison))
     constants = _layout(comparison, "Constants", constant_rows(comparison), ())
-    svg = to_inline_svg(
-        partial(draw_comparison, comparison, titled=False), "grounds", CAPTION, units=comparison.model.units
-    )
+    draw, model = partial(draw_comparison, comparison, titled=False), comparison.model
+    svg = to_inline_svg(draw, "grounds", CAPTION, units=model.units, translate=words_of(model))
     return GroundChapter((figures, constants), Drawing(svg, CAPTION))
 
 

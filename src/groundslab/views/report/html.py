@@ -29,7 +29,7 @@ from groundslab.views.report.content import build_page
 from groundslab.views.report.table_layout import split_symbol, split_words
 from groundslab.views.scene.binary import pack
 from groundslab.views.scene.fields import scene_of
-from groundslab.views.translation import translate_drawing, translator_of
+from groundslab.views.translation import translator_of
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping, Sequence
@@ -291,7 +291,7 @@ def _isolate(value: object) -> object:
 def render_page(template: Path, translate: Translator = str, language: Language = "en", **values: Any) -> str:
     """Return a page of a template, which may use those here: values are escaped, a missing one is an error.
 
-    What a template marks is translated, by `_` and the filters `tr` of texts and `tr_svg` of drawings.
+    What a template marks is translated, by `_` and the filter `tr`.
     """
     page = _environment(template.parent).get_template(template.name)
     return _CONTROL.sub("\ufffd", page.render(values, _=translate, language=language))
@@ -301,7 +301,6 @@ def render_page(template: Path, translate: Translator = str, language: Language 
 def _environment(folder: Path) -> Environment:
     """Return what makes pages of the templates of a folder, each of which is compiled once."""
     from jinja2 import Environment, FileSystemLoader, StrictUndefined, pass_context
-    from markupsafe import Markup
 
     environment = Environment(
         loader=FileSystemLoader([folder, HERE / "templates"]),
@@ -313,15 +312,11 @@ def _environment(folder: Path) -> Environment:
         finalize=_isolate,
     )
 
-    def translate_svg(page: Mapping[str, Any], svg: str) -> str:
-        return svg if page["language"] == "en" else Markup(translate_drawing(svg, page["_"]))
-
     def formula_pieces(page: Mapping[str, Any], text: str) -> Any:
         return (split_formula if page["language"] == "en" else split_with_commas)(text)
 
     environment.filters |= {
         "tr": pass_context(lambda page, text: page["_"](str(text))),
-        "tr_svg": pass_context(translate_svg),
         "pieces": split_symbol,
         "word_pieces": split_words,
         "formula_pieces": pass_context(formula_pieces),

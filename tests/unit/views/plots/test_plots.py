@@ -37,6 +37,7 @@ from groundslab.model.varying_ground import Borehole, Void
 from groundslab.results.contact_zone import contact_function
 from groundslab.results.fields import BAR_FIELDS, MEMBRANE
 from groundslab.results.results import CombinationResult, Results, results_of
+from groundslab.units import format_drawn
 from groundslab.views import plots
 from groundslab.views.files import results_folder
 from groundslab.views.plots import contours, convergence, deformed, plan, request, sections
@@ -44,7 +45,7 @@ from groundslab.views.plots.annotations import LabelPlacement
 from groundslab.views.plots.ground import soil
 from groundslab.views.plots.panels import build_panels
 from groundslab.views.plots.request import parse_request
-from groundslab.views.plots.style import apply_style, math_symbol, number, plain_text
+from groundslab.views.plots.style import apply_style, math_symbol, plain_text
 from helpers import synthetic
 from helpers.paths import ROOT
 
@@ -543,8 +544,8 @@ class TestWords:
         """Symbols are formulas; numbers have four digits and a true minus, zero has none."""
         assert math_symbol("m_xy") == "$m_{xy}$"
         assert math_symbol("beta_x") == r"$\beta_{x}$"
-        assert number(-13.2641) == "\N{MINUS SIGN}13.26"
-        assert number(-0.0) == "0"
+        assert format_drawn(-13.2641) == "\N{MINUS SIGN}13.26"
+        assert format_drawn(-0.0) == "0"
 
     def test_words_stand_where_there_is_room(self) -> None:
         """A second box does not stand on the first, nor beyond the drawing."""
@@ -940,7 +941,7 @@ class TestPicture:
         assert "Settlement of the plate" in reported
         assert "Contact pressure under the plate" in reported
         share = 100 * results.plate.area[results.plate.in_contact].sum() / results.plate.area.sum()
-        assert f"{number(share)} % of the plate in contact" in reported
+        assert f"{format_drawn(share)} % of the plate in contact" in reported
         found = entries(figure)
         assert ("contact boundary" in found) == lifts
         assert ("edge line force" in reported) == shear

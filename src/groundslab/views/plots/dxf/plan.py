@@ -11,13 +11,13 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from groundslab import units
 from groundslab.arrays import Array
 from groundslab.design.detailing.positions import positions
 from groundslab.geometry.plan import DRAWN_CHORD
-from groundslab.messages import words_in
 from groundslab.model.loads.acting import AreaPressure, LineForce, PointForce
 from groundslab.schema.wording import printable
+from groundslab.unit_systems import together
+from groundslab.units import format_drawn
 from groundslab.views.drawing.bars import BAR_LAYERS, face_bars
 from groundslab.views.drawing.shapes import (
     LETTERS,
@@ -34,9 +34,10 @@ from groundslab.views.drawing.shapes import (
 from groundslab.views.plots.annotations import Label, panel_title, place_labels
 from groundslab.views.plots.contours import ColorScale, contour_lines, levels_with_lines, triangulation
 from groundslab.views.plots.panels import NOT_CERTIFIED, Panel, build_panels, find_extremes, shared_scales
-from groundslab.views.plots.style import PT, SMALL, number
+from groundslab.views.plots.style import PT, SMALL
 from groundslab.views.plots.symbols import supported_edges
 from groundslab.views.reactions import support_reactions
+from groundslab.views.translation import words_of
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -119,7 +120,7 @@ def _field(panel: Panel, scale: ColorScale, layer: str, h: float) -> Iterator[Sh
     for value, points in ((value, line) for value, lines in pieces.items() for line in _joined(lines, NEAR * h)):
         is_closed = len(points) > 3 and bool((points[0] == points[-1]).all())
         yield Line(layer, points[:-1] if is_closed else points, is_closed, (panel.quantity.name, value, unit))
-        yield from _values_along(points, number(value), f"{layer} VALUES", h)
+        yield from _values_along(points, format_drawn(value), f"{layer} VALUES", h)
     if panel.contact is not None and (panel.contact > 0).any() and (panel.contact < 0).any():
         boundary = [points for _, points in contour_lines(triangles, panel.contact, np.zeros(1))]
         yield from (Line(f"{layer} CONTACT", points) for points in _joined(boundary, NEAR * h))
@@ -173,11 +174,10 @@ def _values_along(points: Array, words: str, layer: str, h: float) -> Iterator[T
 def _words(model: Model, panel: Panel, layer: str, h: float, per_meter: float) -> Iterator[Shape]:
     """Yield the title of a field above the plan, its extremes with rings, and numbers where there is space."""
     x0, x1, _, y1 = model.bounds
-    lines = [line.text for line in panel_title(panel, per_meter * (x1 - x0), with_source=bool(panel.source))]
-    lines[:0] = ([model.title] if model.title else []) + ([] if panel.certified else [NOT_CERTIFIED])
+    lines = [line.text for line in panel_title(panel, model, per_meter * (x1 - x0), with_source=bool(panel.source))]
+    lines[:0] = ([model.title] if model.title else []) + ([] if panel.certified else [words_of(model)(NOT_CERTIFIED)])
     for row, words in enumerate(reversed(lines)):
-        shown = words_in(printable(words), model.units)
-        yield Text(f"{layer} TITLE", (x0, y1 + (2.0 + 1.9 * row) * h), 1.2 * h, shown)
+        yield Text(f"{layer} TITLE", (x0, y1 + (2.0 + 1.9 * row) * h), 1.2 * h, printable(words))
     for extreme in find_extremes(panel):
         yield Circle(f"{layer} EXTREMES", extreme.place, 0.3 * h)
     plain = place_labels(model, panel, per_meter)
@@ -224,8 +224,8 @@ def _loads(model: Model, takes_part: Callable[[AnyLoad], bool], h: float) -> Ite
             for arm in (np.array([0.5, 0.5]), np.array([0.5, -0.5])):
                 yield Line("LOADS_POINT", np.array(shape.place) + h * np.array([-arm, arm]))
             if shape.P:
-                words = words_in(units.show(shape.P, "force"), model.units)
-                yield Text("LOADS_POINT", (x + 0.8 * h, y - 0.5 * h), h, words)
+                (force,), unit = together([shape.P], "force", model.units)
+                yield Text("LOADS_POINT", (x + 0.8 * h, y - 0.5 * h), h, f"{force} {unit}")
         elif isinstance(shape, LineForce) and not getattr(load, "wall", ""):
             yield Line("LOADS_LINE", shape.flat(chord))
         elif isinstance(shape, AreaPressure):

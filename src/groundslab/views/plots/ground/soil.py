@@ -11,6 +11,7 @@ import numpy as np
 
 from groundslab.discretize.ground import layer_of, sublayers
 from groundslab.fem.foundation import Layer
+from groundslab.messages import Message, Name, joined
 from groundslab.model.ground import (
     ContinuousGround,
     Continuum,
@@ -23,8 +24,9 @@ from groundslab.model.ground import (
 )
 from groundslab.results.soil_profile import Profile, profiles_of
 from groundslab.unit_systems import System, in_system
-from groundslab.units import UNITS
+from groundslab.units import UNITS, format_drawn
 from groundslab.views.plots import style
+from groundslab.views.translation import words_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -159,15 +161,16 @@ def draw_pages(request: PlotRequest) -> list[Figure]:
 def _figure(request: PlotRequest, columns: Sequence[SoilColumn]) -> Figure:
     """Return rows of columns below the title."""
     model = request.combined.model
-    words = ", ".join(filter(None, (model.ground.kind, getattr(model.ground, "coupling", ""))))
-    return draw_columns(model, columns, model.title, [f"Ground: {words}"], named=request.names_combinations)
+    kind = joined(filter(None, (model.ground.kind, getattr(model.ground, "coupling", ""))))
+    heading = [Message("Ground: {kind}", kind=kind)]
+    return draw_columns(model, columns, model.title, heading, named=request.names_combinations)
 
 
 def draw_columns(
     model: Model, columns: Sequence[SoilColumn], title: str = "", heading: Sequence[str] = (), *, named: bool = False
 ) -> Figure:
     """Return rows of columns, with a legend of combinations if they are named."""
-    page = style.Page(style.PAGE_WIDTH)
+    page = style.Page(style.PAGE_WIDTH, words_of(model))
     top = page.write_heading(title, heading)
     high = HIGH if len(columns) <= SIDE_BY_SIDE else LOW
     width = style.PAGE_WIDTH / min(len(columns), SIDE_BY_SIDE)
@@ -177,8 +180,9 @@ def draw_columns(
         bottoms = []
         for place, column in enumerate(row):
             left = place * width
-            where = f" at {style.place_words(places[column.name])}" if column.name in places else ""
-            words = style.plain_text(column.name, 30) + where
+            words = style.plain_text(column.name, 30)
+            if column.name in places:
+                words = Message("{name} at {place:place m}", name=words, place=places[column.name])
             page.write(left + style.MARGIN, top, words, fontsize=style.BASE, fontweight="bold", color=style.INK)
             legend |= _draw_column(page, column, columns, (left, top + 12.0, width, high), named, model.units)
             corner = left + style.MARGIN, top + 12.0 + high + 6.0
@@ -293,7 +297,7 @@ def _draw_modes(axes: Axes, column: SoilColumn, depth: float, *, named: bool) ->
         for index, (name, depths, psi) in enumerate(modes):
             (line,) = axes.plot(psi, depths, color=style.CYCLE[index], linestyle=style.STROKES[index], linewidth=1.1)
             if named:
-                entries[style.plain_text(name, 60)] = line
+                entries[style.plain_text(Name(name), 60)] = line
     axes.set(xlim=(0, 1.05), xticks=[0, 0.5, 1], xticklabels=["0", "0.5", "1"])
     _set_depth_axes(axes, depth, rf"{style.math_symbol('psi')} [-]")
     return entries
@@ -330,7 +334,7 @@ def _write_tables(
         ]
     if len(lines) > MOST:
         values = list(zip(*(line[1:] for line in lines), strict=True))
-        shown = [[f"{len(lines)} combinations", *(_range(value) for value in values)]]
+        shown = [[Message("{count} combinations", count=len(lines)), *(_range(value) for value in values)]]
     else:
         shown = [[style.plain_text(name, 24), *(f"{value:#.4g}" for value in values)] for name, *values in lines]
     ends = [stretch * end for end in ENDS_FOUND]
@@ -340,8 +344,8 @@ def _write_tables(
 def _row(index: int, layer: PlottedLayer, units: System, *, with_constants: bool) -> list[str]:
     """Return a layer as a row of the table."""
     length, modulus, *scales = (in_system(UNITS[name], units).scale for name in ("m", "MPa", "MPa/m", "MPa m"))
-    h = None if layer.thickness is None else style.number(layer.thickness * length)
-    nu = None if layer.nu is None else style.number(layer.nu)
+    h = None if layer.thickness is None else format_drawn(layer.thickness * length)
+    nu = None if layer.nu is None else format_drawn(layer.nu)
     h = "\N{INFINITY}" if layer.endless else h
     E = None if layer.E is None else _range(layer.E[1][[0, -1]] * modulus)
     constants = zip((layer.k0, layer.k1), scales, strict=True) if with_constants else ()
@@ -352,7 +356,7 @@ def _row(index: int, layer: PlottedLayer, units: System, *, with_constants: bool
 def _range(values: Sequence[float] | np.ndarray[Any, Any]) -> str:
     """Return one number, or the first and the last of those that differ, in words."""
     ends = (np.min(values), np.max(values)) if len(values) > 2 else (values[0], values[-1])
-    first, last = (style.number(float(end)) for end in ends)
+    first, last = (format_drawn(float(end)) for end in ends)
     return first if first == last else f"{first} \N{EN DASH} {last}"
 
 

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from groundslab.messages import Message, Name, joined
 from groundslab.results.soil_profile import profile_depths
 from groundslab.unit_systems import in_system
 from groundslab.units import UNITS, Unit
@@ -13,6 +14,7 @@ from groundslab.views.plots import style
 from groundslab.views.plots.annotations import TitleLine, draw_title
 from groundslab.views.plots.contours import draw_color_bar, draw_contours, make_scale
 from groundslab.views.plots.panels import NOT_CERTIFIED
+from groundslab.views.translation import words_of
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -60,7 +62,7 @@ def sample_section(results: PlottedCombination, line: SectionLine) -> tuple[Arra
 
 def _figure(request: PlotRequest, panels: Sequence[Panel]) -> Figure:
     """Return sections one below the other, all with one scale."""
-    page = style.Page(style.PAGE_WIDTH)
+    page = style.Page(style.PAGE_WIDTH, words_of(request.combined.model))
     certified = all(combination.certified for combination, _ in panels)
     words = ["Vertical stress below the plate, without the soil's own weight"]
     top = page.write_heading(request.combined.model.title, words, "" if certified else NOT_CERTIFIED)
@@ -72,7 +74,7 @@ def _figure(request: PlotRequest, panels: Sequence[Panel]) -> Figure:
         s, z, _ = section
         high = min(HIGH, wide * float(z[-1] / np.ptp(s)))
         axes = page.add_axes(LEFT, top + ABOVE, wide, high)
-        name = f"{combination.name} ({combination.limit_state})" if request.names_combinations else ""
+        name = combination.words if request.names_combinations else ""
         _draw_section(axes, section, scale, line, name, unit)
         draw_color_bar(axes, scale, rf"$\sigma_z$ [{unit.name}]", (1.03, 0.0, 0.02, 1.0), high)
         _draw_borders(axes, request, line, float(z[-1]))
@@ -91,15 +93,17 @@ def _draw_section(
     draw_contours(axes, Triangulation(S.ravel(), Z.ravel()), stress.ravel() * unit.scale, scale)
     axes.set(xlim=(s[0], s[-1]), ylim=(z[-1], 0.0), xlabel="distance s along the line [m]", ylabel="depth z [m]")
     i, j = np.unravel_index(int(stress.argmax()), stress.shape)
-    ends = f"from {style.place_words(line.start)} to {style.place_words(line.end)}"
-    place = f"s = {style.number(s[i])} m, z = {style.number(z[j])} m"
-    most = f"largest {style.number(stress[i, j] * unit.scale)} {unit.name} at {place}"
-    title = ", ".join(filter(None, (style.plain_text(line.name, 60) or "Section", style.plain_text(name, 60))))
+    ends = Message("from {start:place m} to {end:place m}", start=line.start, end=line.end)
+    most = Message(
+        f"largest {{value:number {unit.name}}} at s = {{s:number m}}, z = {{z:number m}}",
+        value=stress[i, j] * unit.scale, s=s[i], z=z[j],
+    )  # fmt: skip
+    title = joined(filter(None, (style.plain_text(Name(line.name), 60) or "Section", style.plain_text(name, 60))))
     draw_title(
         axes,
         [
             TitleLine(title, style.BASE, style.INK, "bold"),
-            TitleLine(f"{ends};  {most}", style.SMALL, style.GREY, "normal"),
+            TitleLine(joined((ends, most), ";  "), style.SMALL, style.GREY, "normal"),
         ],
     )
 

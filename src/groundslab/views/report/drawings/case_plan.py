@@ -8,15 +8,18 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from groundslab.messages import Message, Name, joined
 from groundslab.unit_systems import unit_in
 from groundslab.views.plots import style, symbols
 from groundslab.views.plots.annotations import LabelPlacement, Point
 from groundslab.views.scene.plan import plan_of
+from groundslab.views.translation import words_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
+    from groundslab.languages import Translator
     from groundslab.model.model import Model
     from groundslab.unit_systems import System
 
@@ -41,11 +44,11 @@ def draw_case_plan(model: Model, placed: Model) -> Figure:
     (x0, y0), (x1, y1) = near.min(axis=0), near.max(axis=0)
     per_meter = min(WIDTH / (x1 - x0), HEIGHT / (y1 - y0))
     width, height = (x1 - x0) * per_meter, (y1 - y0) * per_meter
-    page = style.Page(max(LEFT + width + RIGHT, NARROW))
+    page = style.Page(max(LEFT + width + RIGHT, NARROW), words_of(model))
     axes = page.add_axes(LEFT, TOP, width, height)
     axes.set(xlim=(x0, x1), ylim=(y0, y1))
     axes.set_axis_off()
-    labels = Labels(axes, per_meter, (x0, x1, y0, y1))
+    labels = Labels(axes, per_meter, (x0, x1, y0, y1), page.say)
     for column in plan["columns"]:
         labels.reserve((column["x"], column["y"]), 1.3)
     legend = _draw_ground(axes, plan, labels) | symbols.draw_plate(axes, model, fill=style.PANEL)
@@ -67,17 +70,24 @@ def describe_omissions(model: Model) -> tuple[str, ...]:
     plan = plan_of(model)
     labels = "L and a number: the load of that number in the case; loads on columns and walls have no label."
     notes = [f"Dimensions in {'meters' if model.units == 'SI' else 'feet'}.", labels]
-    everywhere = [f"L{n} ({load['kind']})" for n, load in enumerate(plan["loads"], 1) if not stands_in_plan(load)]
+    everywhere = [
+        Message("L{n} ({kind})", n=n, kind=load["kind"])
+        for n, load in enumerate(plan["loads"], 1)
+        if not stands_in_plan(load)
+    ]
     if model.moves:
         notes.append("Forces of patterns have no label; those on a path are drawn at all of its positions.")
     if everywhere:
-        notes.append(f"Not drawn, as they act on the entire plate or on a support: {', '.join(everywhere)}.")
+        all_over = joined(everywhere)
+        notes.append(Message("Not drawn, as they act on the entire plate or on a support: {loads}.", loads=all_over))
     near = {tuple(place) for place in nearby(plan).tolist()}
     far = [hole for hole in plan["boreholes"] if (hole["x"], hole["y"]) not in near]
     if far:
-        places = [tuple(_length(hole[axis], model.units) for axis in "xy") for hole in far]
-        names = ", ".join(f"{hole['name']} at ({x}, {y})" for hole, (x, y) in zip(far, places, strict=True))
-        notes.append(f"Too far away to be drawn: {names}.")
+        names = joined(
+            Message("{name} at {place:.6g (m)}", name=Name(hole["name"]), place=(hole["x"] + 0.0, hole["y"] + 0.0))
+            for hole in far
+        )
+        notes.append(Message("Too far away to be drawn: {names}.", names=names))
     return tuple(notes)
 
 
@@ -105,7 +115,10 @@ def nearby(plan: Data) -> Any:
 class Labels:
     """Labels in millimeters beside places in meters."""
 
-    def __init__(self, axes: Axes, per_meter: float, limits: tuple[float, float, float, float]) -> None:
+    def __init__(
+        self, axes: Axes, per_meter: float, limits: tuple[float, float, float, float], say: Translator
+    ) -> None:
+        self._say = say
         x0, x1, y0, y1 = self._limits = [per_meter * limit for limit in limits]
         self._axes, self._per_meter = axes, per_meter
         self._placement = LabelPlacement((x0 - 4, x1 + 4, y0 - 4, y1 + 4))
@@ -118,7 +131,7 @@ class Labels:
         """Write a text beside a place, or at the border of the drawing beside one outside."""
         x0, x1, y0, y1 = self._limits
         x, y = (self._per_meter * coordinate for coordinate in place)
-        text = style.plain_text(text)
+        text = style.plain_text(self._say(text))
         half = style.text_width(text, style.SMALL) / 2, 0.6 * style.SMALL * style.PT
         inside = min(max(x, x0), x1), min(max(y, y0), y1)
         u, v = (
@@ -142,7 +155,7 @@ def _draw_ground(axes: Axes, plan: Data, labels: Labels) -> dict[str, Any]:
         (mark,) = axes.plot(*place, "o", markersize=6, markerfacecolor="white", markeredgecolor=color, zorder=6)
         axes.plot(*place, "+", markersize=9, color=color, zorder=6)
         entries["borehole"] = mark
-        labels.add(place, hole["name"], color)
+        labels.add(place, Name(hole["name"]), color)
     return entries
 
 
@@ -158,23 +171,25 @@ def _draw_outputs(axes: Axes, plan: Data, labels: Labels) -> dict[str, Any]:
             corners = np.array([ends[0] + across, ends[1] + across, ends[1] - across, ends[0] - across])
             symbols.draw_ring(axes, corners, edgecolor=style.ACCENT, linewidth=0.5, linestyle=(0, (3, 3)), zorder=6)
         entries["strip" if "width" in output else "section line"] = line
-        labels.add(ends.mean(axis=0) if "width" in output else ends[0], output["name"], style.ACCENT)
+        labels.add(ends.mean(axis=0) if "width" in output else ends[0], Name(output["name"]), style.ACCENT)
     for point in plan["points"]:
         (entries["point"],) = axes.plot(point["x"], point["y"], "x", markersize=6, color=style.ACCENT, zorder=6)
-        labels.add((point["x"], point["y"]), point["name"], style.ACCENT)
+        labels.add((point["x"], point["y"]), Name(point["name"]), style.ACCENT)
     return entries
 
 
 def _label_parts(plan: Data, labels: Labels) -> None:
     """Name columns, walls, beams and supports, and write the thickness of zones."""
     for column in plan["columns"]:
-        labels.add((column["x"], column["y"]), column["name"], style.INK)
+        labels.add((column["x"], column["y"]), Name(column["name"]), style.INK)
     for part in (*plan["walls"], *plan["beams"]):
-        labels.add(middle(part["points"]), part["name"], style.INK, 3.0)
+        labels.add(middle(part["points"]), Name(part["name"]), style.INK, 3.0)
     for support in plan["supports"]:
-        labels.add(middle(support["points"]), support["name"], style.SUPPORT, 3.0)
+        labels.add(middle(support["points"]), Name(support["name"]), style.SUPPORT, 3.0)
     for zone in plan["zones"]:
-        labels.add(upper_left(zone["ring"]), f"t = {zone['thickness']:.6g} m", style.GREY, 1.0)
+        labels.add(
+            upper_left(zone["ring"]), Message("t = {thickness:.6g m}", thickness=zone["thickness"]), style.GREY, 1.0
+        )
 
 
 def _label_loads(axes: Axes, plan: Data, labels: Labels) -> None:
@@ -192,7 +207,7 @@ def _label_loads(axes: Axes, plan: Data, labels: Labels) -> None:
         return
     for (is_area, places, *_), numbers in groups.items():
         if len(places) > 1 or places[0] not in columns:
-            name = ", ".join(f"L{number}" for number in numbers[:3]) + (" ..." if len(numbers) > 3 else "")
+            name = Name(", ".join(f"L{number}" for number in numbers[:3]) + (" ..." if len(numbers) > 3 else ""))
             labels.add(upper_left(places) if is_area else middle(places), name, style.LOAD)
 
 

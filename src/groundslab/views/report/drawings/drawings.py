@@ -11,17 +11,17 @@ import numpy as np
 
 from groundslab.design.basis.combinations import ultimate_results
 from groundslab.design.required_bars import bar_fields
-from groundslab.messages import words_in
+from groundslab.messages import Message, Name, capitalized, joined, words_in
 from groundslab.model.names import names_of
 from groundslab.results.results import results_of
 from groundslab.views.plots import beams
+from groundslab.views.plots.annotations import said_of
 from groundslab.views.plots.export import to_inline_svg
 from groundslab.views.plots.ground.soil import draw_columns, soil_columns
 from groundslab.views.plots.ground.stress import draw_sheet
 from groundslab.views.plots.panels import Panel, build_panels, find_extremes, shared_scales
 from groundslab.views.plots.plan import draw_mesh
 from groundslab.views.plots.request import PlottedCombination, parse_request
-from groundslab.views.plots.style import place_words
 from groundslab.views.report.drawings.case_plan import describe_omissions, draw_case_plan
 from groundslab.views.report.drawings.load_plan import LoadPlan, plan_base
 from groundslab.views.report.drawings.maps import draw_maps
@@ -34,7 +34,6 @@ if TYPE_CHECKING:
     from groundslab.languages import Translator
     from groundslab.model.model import Model
     from groundslab.results.results import CombinationResult, Results
-    from groundslab.unit_systems import System
 
 #: More columns of soil than these are not drawn.
 MOST_COLUMNS = 6
@@ -60,7 +59,7 @@ class Drawing:
 
 def draw_case(model: Model, placed: Model, translate: Translator = str) -> Drawing:
     """Return the plan of a case as written, with the loads of the case as solved."""
-    caption = " ".join(("Plan.", *describe_omissions(model)))
+    caption = joined(("Plan.", *describe_omissions(model)), " ")
     draw = partial(draw_case_plan, model, placed)
     svg = to_inline_svg(
         draw, "plan", "Plan of the plate", units=model.units, translate=translate, names=names_of(model)
@@ -103,7 +102,10 @@ def draw_stress(results: CombinationResult) -> Drawing | None:
     """Return the vertical stress of one combination in sections through a continuum, None of other ground."""
     if results.ground.cells is None or results.ground.cells.piled:
         return None
-    caption = f"Vertical stress in the ground, without the soil's own weight, of the combination {results.combination}."
+    caption = Message(
+        "Vertical stress in the ground, without the soil's own weight, of the combination {combination}.",
+        combination=Name(results.combination),
+    )
     request = parse_request(results_of(results), (), "stress", None, None, None)
     draw, units = partial(draw_sheet, request), results.model.units
     return Drawing(to_inline_svg(draw, "stress", caption, units=units, translate=translator_of(results)), caption)
@@ -115,9 +117,11 @@ def draw_beams(combined: Results) -> Iterator[Drawing]:
         return
     request = parse_request(combined, (), "beams", None, None, None)
     for number, part in enumerate(beams.batches(beams.curves_along(request)), 1):
-        names = ", ".join(curves.name for curves in part)
         forces = "shear force, and axial force" if any("axial" in beam.values for beam in part) else "and shear force"
-        caption = f"Bending moment, positive downwards where the beam sags, {forces} along {names}."
+        caption = Message(
+            f"Bending moment, positive downwards where the beam sags, {forces} along {{names}}.",
+            names=joined(curves.name for curves in part),
+        )
         draw = partial(beams.draw_curves, request, part, titled=False)
         units, translate = combined.model.units, translator_of(combined)
         yield Drawing(to_inline_svg(draw, f"beams{number}", caption, units=units, translate=translate), caption)
@@ -145,8 +149,8 @@ def draw_pictures(combined: Results) -> Iterator[Drawing]:
     Where the plate lifts, its settlement then too. Of several ultimate combinations the moments are their envelopes,
     else those that govern.
     """
-    shown = [*_governing_panels(combined), *_bar_panels(combined)]
-    panels, captions = [panel for panel, _ in shown], [caption for _, caption in shown]
+    shown, units = [*_governing_panels(combined), *_bar_panels(combined)], combined.model.units
+    panels, captions = [panel for panel, _ in shown], [words_in(caption, units) for _, caption in shown]
     maps = draw_maps(combined.solved_model, panels, shared_scales(panels), captions)
     yield from map(Drawing, maps, captions)
 
@@ -157,16 +161,19 @@ def _governing_panels(combined: Results) -> Iterator[tuple[Panel, str]]:
     for what, name in find_governing(combined).items():
         drawn.setdefault((GOVERNS[what][0], name), []).append(GOVERNS[what][1])
     ultimate = [results for results in ultimate_results(combined) if results.combination in combined.results]
-    several, units = len(combined.combinations) > 1, combined.model.units
+    several = len(combined.combinations) > 1
     for (field, name), reasons in drawn.items():
         if field in ENVELOPES and len(ultimate) > 1:
             continue
         (panel,) = build_panels(parse_request(combined, (field,), "plan", name, None, None))
-        governs = f", {name}; this combination governs the {' and '.join(reasons)}" if several else ""
-        yield panel, _caption(panel, units, governs)
+        about = _about(panel)
+        if several:
+            template = "{about}, {combination}; this combination governs the {reasons}"
+            about = Message(template, about=about, combination=Name(name), reasons=joined(reasons, " and "))
+        yield panel, _caption(panel, about)
     if len(ultimate) > 1:
         for panel in build_panels(parse_request(combined, ENVELOPES, "plan", None, "ultimate", None)):
-            yield panel, _caption(panel, units, f": {panel.source[0].lower()}{panel.source[1:]}")
+            yield panel, _caption(panel, joined((_about(panel), capitalized(panel.source, str.lower)), ": "))
 
 
 def _bar_panels(combined: Results) -> Iterator[tuple[Panel, str]]:
@@ -181,15 +188,19 @@ def _bar_panels(combined: Results) -> Iterator[tuple[Panel, str]]:
     ]
     if wanted:
         for panel in build_panels(parse_request(combined, wanted, "plan", None, None, None)):
-            yield panel, _caption(panel, combined.model.units, "")
+            yield panel, _caption(panel, _about(panel))
 
 
-def _caption(panel: Panel, units: System, governs: str) -> str:
-    """Return what a panel shows, and its extremes with their places."""
+def _about(panel: Panel) -> str:
+    """Return what a panel shows and in which unit."""
+    return Message("{title} [{unit}]", title=panel.quantity.title, unit=panel.quantity.field.unit)
+
+
+def _caption(panel: Panel, about: str) -> str:
+    """Return what a panel is about, and its extremes with their places."""
     extremes = [
-        f"{one.word} {one.value:.5g} at {words_in(place_words(one.place), units)}"
-        + (f" ({one.whose})" if one.whose else "")
-        for one in find_extremes(panel)
+        said_of(Message(f"{word} {{value:.5g}} at {{place:place m}}", value=value, place=place), whose)
+        for word, value, place, whose in find_extremes(panel)
     ]
-    facts = "; ".join(extremes) or "zero"
-    return f"{panel.quantity.title} [{panel.quantity.field.unit}]{governs}. {facts[0].upper()}{facts[1:]}."
+    facts = capitalized(joined(extremes or ["zero"], "; "))
+    return Message("{about}. {facts}.", about=about, facts=facts)

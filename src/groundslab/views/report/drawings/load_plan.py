@@ -10,11 +10,13 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
+from groundslab.messages import Message, Name, counted, joined, quantity
 from groundslab.model.loads.patterns import position_names
 from groundslab.views.plots import style, symbols
 from groundslab.views.plots.annotations import LabelPlacement, Point
 from groundslab.views.report.drawings.case_plan import SIDES, middle, nearby, stands_in_plan, upper_left
 from groundslab.views.scene.plan import load_parts, plan_of
+from groundslab.views.translation import words_of
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -65,7 +67,7 @@ class LoadPlan:
         """Return the plan as a figure, with the values that there is space for."""
         (x0, x1, y0, y1), per_meter, model, placed, _ = self._base
         width, height = (x1 - x0) * per_meter, (y1 - y0) * per_meter
-        page = style.Page(WIDTH)
+        page = style.Page(WIDTH, words_of(model))
         axes = page.add_axes((WIDTH - width) / 2, FREE, width, height)
         axes.set(xlim=(x0, x1), ylim=(y0, y1))
         axes.set_axis_off()
@@ -89,14 +91,24 @@ class LoadPlan:
         """Return the name of the case, its action, what of it acts everywhere or often, whether values are missing."""
         case = self._case
         everywhere = [_on_plate(load) for load, about in self._loads if not stands_in_plan(about)]
-        forces = [] if case is None else [("H_x", case.H_x), ("H_y", case.H_y)]
-        everywhere += [f"{symbol.replace('_', '')} {value / 1e3:.5g} kN" for symbol, value in forces if value]
-        everywhere += [f"{count} \N{MULTIPLICATION SIGN} {text}" for text, count in self._repeated.items()]
-        name = "All loads" if case is None else f"{case.name}, {case.action}"
-        values = "one value" if self._missing == 1 else f"{self._missing} values"
-        hidden = f" For {values} there is no space; the case lists all." if self._missing else ""
-        moves = " It moves along the dashed path; drawn at the first position." if self._paths else ""
-        return f"{name}{': ' if everywhere else ''}{'; '.join(everywhere)}.{hidden}{moves}"
+        forces = [] if case is None else [("Hx", case.H_x), ("Hy", case.H_y)]
+        everywhere += [Message(f"{name} {{force:.5g kN}}", force=value / 1e3) for name, value in forces if value]
+        everywhere += [
+            Message("{count} \N{MULTIPLICATION SIGN} {text}", count=count, text=text)
+            for text, count in self._repeated.items()
+        ]
+        name = "All loads" if case is None else joined((Name(case.name), case.action))
+        sentences: list[str] = [
+            Message("{about}.", about=joined((name, joined(everywhere, "; ")), ": ") if everywhere else name)
+        ]
+        if self._missing:
+            one, many = (
+                f"For {values} there is no space; the case lists all." for values in ("one value", "{count} values")
+            )
+            sentences.append(counted(self._missing, one, many))
+        if self._paths:
+            sentences.append("It moves along the dashed path; drawn at the first position.")
+        return joined(sentences, " ")
 
 
 class PlanBase(NamedTuple):
@@ -128,7 +140,7 @@ def _place_values(
 
     They stand on no line of the plan, nor on each other.
     """
-    per_meter, plan = base.per_meter, base.plan
+    per_meter, plan, say = base.per_meter, base.plan, words_of(base.model)
     x0, x1, y0, y1 = (limit * per_meter for limit in base.limits)
     placement = LabelPlacement((x0 - FREE, x1 + FREE, y0 - FREE, y1 + FREE))
     parts = (*plan["plates"], *plan["openings"], *plan["zones"], *plan["columns"])
@@ -139,7 +151,7 @@ def _place_values(
         placement.reserve_line(per_meter * closed, NEAR)
     shown, missing = [], 0
     for place, texts in values.items():
-        text = style.plain_text(", ".join(texts))
+        text = style.plain_text(say(joined(texts)))
         half = style.text_width(text, style.SMALL) / 2, 0.5 * style.SMALL * style.PT
         at = (place[0] * per_meter, place[1] * per_meter)
         middle = next(filter(None, (placement.place_free(at, half, far, SIDES) for far in DISTANCES)), None)
@@ -151,24 +163,27 @@ def _place_values(
 def _on_plate(load: AnyLoad) -> str:
     """Return the text of a load on the entire plate, such as "uniform 5 kPa", with the plate that it names."""
     name = getattr(load, "plate", "")
-    return f"{load.kind} {load_text(load)}" + (f" on {name}" if name else "")
+    text = Message("{kind} {text}", kind=load.kind, text=load_text(load))
+    return Message("{text} on {plate}", text=text, plate=Name(name)) if name else text
 
 
 def load_text(load: AnyLoad) -> str:
     """Return how large a load is, without factors, such as "321 kN" or "10 to 20 kN/m"."""
     parts = load_parts(load, "SI")
     if parts[-1][0].endswith("_end"):
-        return f"{' to '.join(dict.fromkeys(f'{value:.5g}' for _, value, _ in parts))} {parts[0][2]}"
+        (_, first, unit), *_, (_, last, _) = parts
+        if f"{first:.5g}" == f"{last:.5g}":
+            return quantity(first, unit, ".5g")
+        return Message(f"{{first:.5g ({unit})}} to {{last:.5g {unit}}}", first=first, last=last)
     # a force or a pressure needs no symbol, moments do
     named = [
-        (
-            f"{symbol.replace('_', '')} " if symbol.startswith("M") else "",
-            f"{value:.5g} {unit.replace('^3', '³')}".rstrip(),
-        )
+        Message(f"{symbol.replace('_', '')} {{value:.5g {unit}}}", value=value)
+        if symbol.startswith("M")
+        else quantity(value, unit.replace("^3", "³"), ".5g")
         for symbol, value, unit in parts
         if value
     ]
-    return ", ".join(map("".join, named)) or "0"
+    return joined(named) or "0"
 
 
 def _split_repeated(

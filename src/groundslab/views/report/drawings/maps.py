@@ -12,12 +12,15 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from groundslab.messages import Name
+from groundslab.units import format_drawn
 from groundslab.views.plots.annotations import Label, place_labels
 from groundslab.views.plots.contours import LABEL, ColorScale, bands, triangulation
 from groundslab.views.plots.export import to_inline_svg
 from groundslab.views.plots.panels import Panel, find_extremes
 from groundslab.views.plots.plan import BAR, GAP, MapFrame, draw_frame
-from groundslab.views.plots.style import INK, PAGE_COLORS, PT, SMALL, apply_style, number
+from groundslab.views.plots.style import INK, PAGE_COLORS, PT, SMALL, apply_style
+from groundslab.views.translation import words_of
 
 if TYPE_CHECKING:
     from markupsafe import Markup
@@ -25,6 +28,7 @@ if TYPE_CHECKING:
     from matplotlib.path import Path
 
     from groundslab.arrays import Array, Integers
+    from groundslab.languages import Translator
     from groundslab.model.model import Model
 
 #: Width of a map and its largest height [mm]: two stand beside each other.
@@ -44,16 +48,16 @@ def draw_maps(
 
     with apply_style():
         frame = draw_frame(model, WIDTH, HEIGHT)
-    axes = Figure().add_axes((0.0, 0.0, 1.0, 1.0))
+    axes, say = Figure().add_axes((0.0, 0.0, 1.0, 1.0)), words_of(model)
     width, height = (25.4 * float(inches) for inches in frame.figure.get_size_inches())
-    drawn = to_inline_svg(lambda: frame.figure, FRAME, "frame")
+    drawn = to_inline_svg(lambda: frame.figure, FRAME, Name("frame"), translate=say)
     for first, (panel, label) in enumerate(zip(panels, labels, strict=True)):
         shared = f'<use href="#{FRAME}"/>' if first else f'<g id="{FRAME}">{_nested(drawn, width, height)}</g>'
-        words = escape(label)
+        words = escape(say(label))
         yield Markup(
             f'<svg class="drawing" viewBox="0 0 {width:.2f} {height:.2f}" width="{width / 25.4 * 96:.0f}" '
             f'height="{height / 25.4 * 96:.0f}" role="img" aria-label="{words}"><title>{words}</title>'
-            f"{''.join(_fields(axes, panel, scales[panel.quantity.name], frame))}{shared}"
+            f"{''.join(_fields(axes, panel, scales[panel.quantity.name], frame, say))}{shared}"
             f"{''.join(_labels(model, panel, frame))}</svg>"
         )
 
@@ -66,7 +70,7 @@ def _nested(drawn: str, width: float, height: float) -> str:
     return f'<svg width="{width:.2f}" height="{height:.2f}" {size} stroke-linejoin="round">{inner}'
 
 
-def _fields(axes: Axes, panel: Panel, scale: ColorScale, frame: MapFrame) -> Iterator[str]:
+def _fields(axes: Axes, panel: Panel, scale: ColorScale, frame: MapFrame, say: Translator) -> Iterator[str]:
     """Yield the colors of a panel, found in some axes, the border of the contact and the color bar."""
     from matplotlib.colors import to_hex
 
@@ -90,7 +94,7 @@ def _fields(axes: Axes, panel: Panel, scale: ColorScale, frame: MapFrame) -> Ite
     if panel.contact is not None and (panel.contact > 0).any():
         _, path = bands(axes, triangles, panel.contact, np.array([-1.0, 0.0, 1.0]) * np.abs(panel.contact).max())
         yield f'<path {small} fill="none" stroke="{_color(INK)}" stroke-dasharray="40 20" d="{d(path)}"/>'
-    yield from _color_bar(levels, colors, frame)
+    yield from _color_bar(levels, colors, frame, say)
 
 
 def _path_data(places: Array, codes: Integers) -> str:
@@ -115,7 +119,7 @@ def _path_data(places: Array, codes: Integers) -> str:
     return "".join(rings)
 
 
-def _color_bar(levels: Array, colors: Sequence[str], frame: MapFrame) -> Iterator[str]:
+def _color_bar(levels: Array, colors: Sequence[str], frame: MapFrame, say: Translator) -> Iterator[str]:
     """Yield the bands of color beside the plan, with as many levels as can be read."""
     left, bottom = frame.left + frame.width + GAP, frame.top + frame.height
     heights = (levels - levels[0]) / (levels[-1] - levels[0]) * frame.height
@@ -125,7 +129,9 @@ def _color_bar(levels: Array, colors: Sequence[str], frame: MapFrame) -> Iterato
         )
     every = max(1, int(np.ceil(len(levels) * LABEL / frame.height)))
     for level, height in list(zip(levels, heights, strict=True))[int(np.argmin(np.abs(levels))) % every :: every]:
-        yield _text(Label(number(float(level)), (left + BAR + 1.0, bottom - float(height)), SMALL), anchor="start")
+        yield _text(
+            Label(say(format_drawn(float(level))), (left + BAR + 1.0, bottom - float(height)), SMALL), anchor="start"
+        )
 
 
 def _labels(model: Model, panel: Panel, frame: MapFrame) -> Iterator[str]:

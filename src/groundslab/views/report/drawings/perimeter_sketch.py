@@ -9,6 +9,7 @@ import numpy as np
 from groundslab.geometry.plan import DRAWN_CHORD
 from groundslab.views.plots import style
 from groundslab.views.plots.export import to_inline_svg
+from groundslab.views.translation import words_of
 
 if TYPE_CHECKING:
     from markupsafe import Markup
@@ -26,7 +27,8 @@ AROUND = 0.15
 
 def draw_sketch(model: Model, sketch: SketchedPerimeter, number: int, label: str) -> Markup:
     """Return the sketch as an SVG element for an HTML page; its label is its title for screen readers."""
-    return to_inline_svg(lambda: _figure(model, sketch), f"sketch{number}", label, units=model.units)
+    draw, say = (lambda: _figure(model, sketch)), words_of(model)
+    return to_inline_svg(draw, f"sketch{number}", label, units=model.units, translate=say)
 
 
 def _figure(model: Model, sketch: SketchedPerimeter) -> Figure:
