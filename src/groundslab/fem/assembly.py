@@ -140,11 +140,13 @@ def build_pattern(elements: Integers, rank: Integers, unknown: Integers, linked:
     )
 
 
-def _merge(indptr: Indices, indices: Indices, own: Integers, unknown: Integers) -> tuple[Indices, Indices, Merging]:
+def _merge(
+    indptr: Indices, indices: Indices, unmerged: Integers, unknown: Integers
+) -> tuple[Indices, Indices, Merging]:
     """Return the pattern between unknowns (n, F) that nodes share, from that of those they have for themselves."""
     size = int(unknown.max()) + 1
     shared = np.empty(len(indptr) - 1, dtype=np.int64)
-    shared[own[own >= 0]] = unknown[own >= 0]
+    shared[unmerged[unmerged >= 0]] = unknown[unmerged >= 0]
     row, column = np.repeat(shared, np.diff(indptr)), shared[indices]
     keys, entry = np.unique(np.minimum(row, column) * size + np.maximum(row, column), return_inverse=True)
     rows, columns = np.divmod(keys, size)

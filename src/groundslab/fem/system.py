@@ -188,24 +188,24 @@ def _make_parts(s: System) -> _Parts:
     return _Parts(plate_alone, assembly.entries_of_pairs(p), {})
 
 
-def _ground_part(known: _Parts, s: System, which: tuple[int, int, bool]) -> _GroundPart:
+def _ground_part(parts: _Parts, s: System, which: tuple[int, int, bool]) -> _GroundPart:
     """Return what two surfaces of the ground add, by the element if elements differ."""
     from scipy.sparse import vstack
 
-    if which not in known.ground:
+    if which not in parts.ground:
         a, c, varies = which
         entry: list[Indices] = []
         sums: tuple[list[Any], list[Any]] = [], []
         for i, j in itertools.product(surface_fields(a), surface_fields(c)):
-            places = known.entry[:, i, j]
+            places = parts.entry[:, i, j]
             mask = places >= 0
             entry.append(places[mask])
             for addends, matrices in zip(sums, s.blocks.ground(*_of_plate(s.problem, i, j)), strict=True):
                 by_element = assembly.sums_over_elements(s.pattern, s.blocks.kind, matrices)
                 addends.append((by_element if varies else by_element.sum(axis=1))[mask])
         join: Callable[..., Any] = functools.partial(vstack, format="csr") if varies else np.concatenate
-        known.ground[which] = _GroundPart(np.concatenate(entry), *map(join, sums))
-    return known.ground[which]
+        parts.ground[which] = _GroundPart(np.concatenate(entry), *map(join, sums))
+    return parts.ground[which]
 
 
 def _coupled(column: Column) -> Iterator[tuple[int, int]]:

@@ -77,7 +77,7 @@ def adaptable(plan: Plan, size: float, edge_size: float, local: Sources | None) 
     if not candidates:
         return mesh(plan, size, edge_size=edge_size, local=local)
     # elements of good shape do what more of a poor shape do
-    best = min(candidates, key=lambda each: len(each.elements) / each.quality.median**2)
+    best = min(candidates, key=lambda candidate: len(candidate.elements) / candidate.quality.median**2)
     return divide(plan, best, size, local, STEEP)
 
 

@@ -33,9 +33,9 @@ def plate_stiffness(s: System) -> float:
     return float(max(np.abs(s.blocks.plate[:, :9, :9]).max(), _of_beams(s, deep), _of_beams(s, ~deep), _of_building(s)))
 
 
-def _of_beams(s: System, some: Flags) -> float:
+def _of_beams(s: System, mask: Flags) -> float:
     """Return the largest stiffness of some pieces of beams (b,) against settlements [N/m]."""
-    return float(np.abs(s.beams[some][..., 0, 0]).max(initial=0.0))
+    return float(np.abs(s.beams[mask][..., 0, 0]).max(initial=0.0))
 
 
 def _of_building(s: System) -> float:

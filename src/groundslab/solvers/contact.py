@@ -114,13 +114,13 @@ def solve(
     raise NotConverged("the contact zone", history, {"u": last, "closed": state != OPEN} | forces)
 
 
-def _is_balanced(problem: ContactProblem, found: Contact, measures: Measures) -> bool:
+def _is_balanced(problem: ContactProblem, solution: Contact, measures: Measures) -> bool:
     """Return whether the interior point method has converged: no residual at unknowns that are free to move."""
     A, f, b = problem.A, problem.f, problem.bearings
-    residual = f - A @ found.u + scatter(b.unknown, b.sign * found.force, A.size)
+    residual = f - A @ solution.u + scatter(b.unknown, b.sign * solution.force, A.size)
     residual[b.unknown[b.bilateral]] = 0.0
     lever = measures.lever
-    largest = max(np.abs(f / lever).max(initial=0.0), np.abs(found.force / lever[b.unknown]).max())
+    largest = max(np.abs(f / lever).max(initial=0.0), np.abs(solution.force / lever[b.unknown]).max())
     return bool(np.abs(residual / lever).max(initial=0.0) <= INTERIOR_POINT_TOLERANCE * largest)
 
 
@@ -189,14 +189,14 @@ def _bearing_forces(b: Bearings, state: Integers, u: Array, reaction: Array) -> 
     return force
 
 
-def _next_states(problem: ContactProblem, found: Contact, measures: Measures) -> Integers:
+def _next_states(problem: ContactProblem, solution: Contact, measures: Measures) -> Integers:
     """Return the state (c,) in which each bearing should be, judged by the solution for the present states."""
-    b, state = problem.bearings, found.state
+    b, state = problem.bearings, solution.state
     lever = measures.lever[b.unknown]
     plate = None if measures.plate is None else measures.plate[b.unknown]
-    force, limit_force = found.force / lever, b.limit_force / lever
-    penetration = b.penetration(found.u) * lever
-    tolerance = STATE_TOLERANCE * measures.displacements(found.u)[b.unknown]
+    force, limit_force = solution.force / lever, b.limit_force / lever
+    penetration = b.penetration(solution.u) * lever
+    tolerance = STATE_TOLERANCE * measures.displacements(solution.u)[b.unknown]
     stiffness = problem.A.diagonal[b.unknown] / lever**2
     kind = plate
     if problem.of_supports is not None:

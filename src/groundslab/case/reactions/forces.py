@@ -202,9 +202,9 @@ class Resultant:
     M_y: float = 0.0
 
 
-def _add(one: Resultant, P: float, M_x: float, M_y: float) -> Resultant:
+def _add(resultant: Resultant, P: float, M_x: float, M_y: float) -> Resultant:
     """Return the sum with another force and its moments."""
-    return Resultant(one.P + P, one.M_x + M_x, one.M_y + M_y)
+    return Resultant(resultant.P + P, resultant.M_x + M_x, resultant.M_y + M_y)
 
 
 def resultants(model: Model) -> dict[tuple[str, str], Resultant]:

@@ -250,7 +250,7 @@ def _preferred(columns: Sequence[Heading], row: Sequence[str], grid: Grid, first
                 yield heading
             continue
         rivals = [other for other in columns if other.role == heading.role]
-        if heading is min(rivals, key=lambda each: _rank(each.role, row[each.column])):
+        if heading is min(rivals, key=lambda rival: _rank(rival.role, row[rival.column])):
             yield heading
 
 

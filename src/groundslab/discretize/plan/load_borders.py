@@ -79,10 +79,10 @@ def _follow(plan: Plan, rings: tuple[Ring, ...], lines: tuple[Line, ...], thickn
     drawn = [ring.polygon(chord).exterior for ring in plan.rings().values()] + flatten(plan.line_segments(), chord)
     same = same_place_in(plan)
 
-    def is_clear(own: LineString, near: float) -> bool:
-        clear = all(_clear(own, other, same, near) for other in drawn)
+    def is_clear(curve: LineString, near: float) -> bool:
+        clear = all(_clear(curve, other, same, near) for other in drawn)
         if clear:
-            drawn.append(own)
+            drawn.append(curve)
         return clear
 
     followed = [

@@ -167,13 +167,13 @@ def prolong(coarse: Cells, force: Array, fine: Cells) -> Array:
     return pressures * fine.area
 
 
-def _pressures(cells: Cells, force: Array, own: Flags) -> Array:
+def _pressures(cells: Cells, force: Array, mask: Flags) -> Array:
     """Return the pressures of some cells (c,) on the grid (nx, ny), elsewhere those of the nearest of them."""
     from scipy.ndimage import distance_transform_edt
 
     shape = cells.grid.nx, cells.grid.ny
     pressure, covered = np.zeros(shape), np.zeros(shape, dtype=bool)
-    pressure.flat[cells.number[own]], covered.flat[cells.number[own]] = (force / cells.area)[own], True
+    pressure.flat[cells.number[mask]], covered.flat[cells.number[mask]] = (force / cells.area)[mask], True
     nearest = distance_transform_edt(~covered, return_distances=False, return_indices=True)
     filled: Array = pressure[tuple(nearest)]
     return filled

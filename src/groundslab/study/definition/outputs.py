@@ -193,7 +193,7 @@ def _governing(output: RequestedOutput, combined: Results, names: Sequence[str])
         return max(pairs, key=itemgetter(0))
     if output.take == "smallest":
         return min(pairs, key=itemgetter(0))
-    return max(pairs, key=lambda one: abs(one[0]))
+    return max(pairs, key=lambda pair: abs(pair[0]))
 
 
 def nodal_values_of(output: RequestedOutput, combined: Results, names: Sequence[str]) -> Array | None:

@@ -305,6 +305,6 @@ def _distance_from_solution(u: Array, g: float, steepest: Array) -> float:
     return max(abs(g) / size, float(np.linalg.norm(across)) / max(float(np.linalg.norm(u)), 1.0))
 
 
-def _history(known: dict[tuple[float, ...], float]) -> list[dict[str, Any]]:
+def _history(values: dict[tuple[float, ...], float]) -> list[dict[str, Any]]:
     """Return the points at which the limit state was evaluated, in their order."""
-    return [{"scores": [round(score, 4) for score in at], "margin": value} for at, value in known.items()]
+    return [{"scores": [round(score, 4) for score in at], "margin": value} for at, value in values.items()]

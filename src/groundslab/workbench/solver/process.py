@@ -252,7 +252,7 @@ def _prepare(pipe: Connection, prepare: Prepare) -> None:
         traceback.print_exc()
 
 
-def _solve(pipe: Connection, stop: Any, task: Task, job: Job, known: Mapping[int, Any]) -> Mapping[int, Any]:
+def _solve(pipe: Connection, stop: Any, task: Task, job: Job, by_run: Mapping[int, Any]) -> Mapping[int, Any]:
     """Solve the text of a run and send the outcome; return the data for reports and tables by run.
 
     While it is solved, views of what is known of earlier runs and of provisional results are sent.
@@ -269,7 +269,7 @@ def _solve(pipe: Connection, stop: Any, task: Task, job: Job, known: Mapping[int
                 view = pipe.recv()
             except EOFError:
                 raise Stopped from None
-            _send_view(pipe, view, {**known, **provisional})
+            _send_view(pipe, view, {**by_run, **provisional})
 
     def tell(message: str, share: float | None, details: str = "") -> None:
         nonlocal sent
@@ -305,7 +305,7 @@ def _solve(pipe: Connection, stop: Any, task: Task, job: Job, known: Mapping[int
         pipe.send(("solved", run, answer))
         pipe.send_bytes(scene)
         return {run: kept}
-    return provisional or known
+    return provisional or by_run
 
 
 def _compare(model: Model) -> GroundComparison | None:
@@ -317,10 +317,10 @@ def _compare(model: Model) -> GroundComparison | None:
     return compare_grounds(model)
 
 
-def _send_view(pipe: Connection, view: View, known: Mapping[int, Any]) -> None:
+def _send_view(pipe: Connection, view: View, by_run: Mapping[int, Any]) -> None:
     """Send a report, an archive or a table of a run, if anything is known of it."""
     kind, run, name = view
-    if run not in known:
+    if run not in by_run:
         pipe.send(("view", view, "the results of that run are not kept any more; solve again"))
         return
 
@@ -328,7 +328,7 @@ def _send_view(pipe: Connection, view: View, known: Mapping[int, Any]) -> None:
         pipe.send(("making", run, title, share))
 
     try:
-        content = WRITERS[kind](known[run], name, told)
+        content = WRITERS[kind](by_run[run], name, told)
     except InputError as error:
         pipe.send(("view", view, error.issues))
     except Exception as error:

@@ -111,13 +111,13 @@ def _head_to_json(head: TableHeader, at: int, texts: Sequence[str]) -> dict[str,
     }
 
 
-def _find_place(stem: str, known: Mapping[str, int]) -> list[int] | None:
+def _find_place(stem: str, positions: Mapping[str, int]) -> list[int] | None:
     """Return the columns of x and y of what a column holds: its own, those of the row, or the last ones there are."""
-    x_columns = [f"x of the {text.removeprefix('x of the ')}" for text in known if text.startswith("x of the ")]
+    x_columns = [f"x of the {text.removeprefix('x of the ')}" for text in positions if text.startswith("x of the ")]
     for x in (f"x of the {stem}", "x", "x of it", *reversed(x_columns)):
         y = "y" + x[1:]
-        if x in known and y in known:
-            return [known[x], known[y]]
+        if x in positions and y in positions:
+            return [positions[x], positions[y]]
     return None
 
 

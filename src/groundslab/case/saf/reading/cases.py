@@ -180,7 +180,7 @@ def _read_state(row: Row, category: str) -> dict[str, Any]:
     return {"limit_state": _STATES.get(category[:3], "ultimate")}
 
 
-def _read_standard(context: ReadContext, row: Row, known: set[str]) -> list[tuple[LimitState, Expression]]:
+def _read_standard(context: ReadContext, row: Row, names: set[str]) -> list[tuple[LimitState, Expression]]:
     """Return the limit state and the code by which a standard combines, nothing if they are not known."""
     standard = text(row, "nationalstandard")
     key = re.sub(r"[^a-z0-9]", "", standard.lower())
@@ -192,7 +192,7 @@ def _read_standard(context: ReadContext, row: Row, known: set[str]) -> list[tupl
     code, expression = ("ACI 318 and ASCE 7", "ACI 318") if key.startswith("ibc") else ("EN 1990", "6.10")
     context.take(row, f"combine by {code}, {state}; factors are those of the standard, not of the file")
     listed = {value for name, value in _cases_of(row)}
-    if left := known - listed:
+    if left := names - listed:
         context.note(row, f"all cases are combined, also those that it does not list: {', '.join(sorted(left)[:12])}")
     return [(state, expression)]
 
@@ -203,11 +203,11 @@ def _cases_of(row: Row) -> list[tuple[str, str]]:
     return [(number[1], text(row, key)) for key, number in numbers if number and text(row, key)]
 
 
-def _read_factors(context: ReadContext, row: Row, known: set[str]) -> dict[str, float]:
+def _read_factors(context: ReadContext, row: Row, names: set[str]) -> dict[str, float]:
     """Return the factor of each case of a combination; raises RowFault."""
     factors: dict[str, float] = {}
     for n, name in _cases_of(row):
-        if name not in known:
+        if name not in names:
             raise RowFault(f"loadcasename{n}", f"the case {describe(name)}", "one of sheet StructuralLoadCase")
         spellings = (f"multiplier{n}", f"loadmultiplier{n}")
         multipliers = {context.number(row, key, "number", 1.0) for key in spellings if key in row.cells} or {1.0}

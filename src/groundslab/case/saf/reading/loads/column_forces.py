@@ -64,7 +64,7 @@ def _of_cases(
     return rows
 
 
-def _read_columns(context: ReadContext, slab: Slab, cases: Mapping[str, Kind], found: Loads) -> None:
+def _read_columns(context: ReadContext, slab: Slab, cases: Mapping[str, Kind], loads: Loads) -> None:
     """Add forces and moments at the foot of each column, compression negative in the file."""
     members = {row.name: row for row in context.rows("StructuralCurveMember") if row.name in slab.columns}
     values: dict[str, list[float]] = {}
@@ -77,7 +77,7 @@ def _read_columns(context: ReadContext, slab: Slab, cases: Mapping[str, Kind], f
                 for row in rows
             ]
             length = abs(nodes[1][2] - nodes[0][2])
-            section, _, foot = (min if upwards else max)(at, key=lambda each: each[:2])
+            section, _, foot = (min if upwards else max)(at, key=lambda entry: entry[:2])
             if abs(section - (0.0 if upwards else length)) > CLOSE:
                 context.note(None, f"{member} in {case}: no section at its foot, not read", COLUMNS)
                 continue
@@ -85,8 +85,8 @@ def _read_columns(context: ReadContext, slab: Slab, cases: Mapping[str, Kind], f
             values.setdefault(case, []).append(N)
             axes = member_axes(context, members[member], (nodes[0], nodes[1]))
             moments, shear, left = _bent(context, foot, axes, upwards)
-            add_at_point(found, case, slab.columns[member], f"{member}, N", [member], P=-N + 0.0, **moments)
-            found.push(case, *shear)
+            add_at_point(loads, case, slab.columns[member], f"{member}, N", [member], P=-N + 0.0, **moments)
+            loads.push(case, *shear)
             taken = " with its moments and shear forces" if any(moments.values()) or any(shear) else ""
             why = f"{member} in {case}: N = {N / 1e3:.6g} kN as a load{taken}{left}"
             context.note(None, why, COLUMNS)
@@ -114,7 +114,7 @@ def _bent(
     return moments, (on * (V_y * y[0] + V_z * z[0]), on * (V_y * y[1] + V_z * z[1])), left
 
 
-def _read_walls(context: ReadContext, slab: Slab, cases: Mapping[str, Kind], found: Loads) -> None:
+def _read_walls(context: ReadContext, slab: Slab, cases: Mapping[str, Kind], loads: Loads) -> None:
     """Add the normal force per length across the lower edge of each wall, compression negative in the file."""
     members = {row.name: row for row in context.rows("StructuralSurfaceMember") if row.name in slab.walls}
     for (member, case), rows in _of_cases(context, WALLS, "2dmember", members, cases).items():
@@ -133,7 +133,7 @@ def _read_walls(context: ReadContext, slab: Slab, cases: Mapping[str, Kind], fou
                     points, bulges = part_of_line(line, start, end)
                     name = f"{member}, n"
                     varies = {"q_end": q_end} if q_end != q else {}
-                    found.loads.append(LineLoad(name=name, case=case, q=q, **varies, points=points, bulges=bulges))
+                    loads.loads.append(LineLoad(name=name, case=case, q=q, **varies, points=points, bulges=bulges))
                     count += 1
             context.note(None, f"{member} in {case}: n across its lower edge as {count} line loads", WALLS)
 

@@ -65,11 +65,11 @@ def read_loads(context: ReadContext, slab: Slab, cases: Sequence[LoadCase], beam
     return loads
 
 
-def _read_self_weight(context: ReadContext, slab: Slab, found: Loads, beams: bool) -> None:
+def _read_self_weight(context: ReadContext, slab: Slab, loads: Loads, beams: bool) -> None:
     """Add the weight of the slab to the cases of self-weight."""
     for row in context.rows("StructuralLoadCase"):
         if word(row, "loadtype") == "self weight":
-            found.loads.append(SelfWeight(case=row.name, unit_weight=slab.material.unit_weight, beams=beams))
+            loads.loads.append(SelfWeight(case=row.name, unit_weight=slab.material.unit_weight, beams=beams))
             context.note(row, "the weight of the slab and its ribs; that of what stands on it is not known")
 
 
@@ -91,7 +91,7 @@ def _node_of(context: ReadContext, row: Row, slab: Slab) -> Place | None:
     return x, y
 
 
-def _read_point_action(context: ReadContext, row: Row, slab: Slab, found: Loads) -> None:
+def _read_point_action(context: ReadContext, row: Row, slab: Slab, loads: Loads) -> None:
     """Add a force at a node, or a free one."""
     place = _node_of(context, row, slab)
     if place is None:
@@ -100,14 +100,14 @@ def _read_point_action(context: ReadContext, row: Row, slab: Slab, found: Loads)
     bare = Row(row.sheet, row.number, {**row.cells, "coordinatesystem": "Global"}, row.units)
     x, y, up = read_vector(context, bare, "force", slab_axes(context, slab))
     case = text(row, "loadcase")
-    found.push(case, x, y)
+    loads.push(case, x, y)
     if up:
         on = [name for name, at in slab.columns.items() if at == place and row.sheet == "StructuralPointAction"]
-        add_at_point(found, case, place, row.name, on, P=-up)
+        add_at_point(loads, case, place, row.name, on, P=-up)
     context.take(row, words_of("point load", x, y, up))
 
 
-def _read_point_moment(context: ReadContext, row: Row, slab: Slab, found: Loads) -> None:
+def _read_point_moment(context: ReadContext, row: Row, slab: Slab, loads: Loads) -> None:
     """Add a moment at a node: about y it presses larger x down, about x smaller y."""
     place = _node_of(context, row, slab)
     if place is None:
@@ -119,11 +119,11 @@ def _read_point_moment(context: ReadContext, row: Row, slab: Slab, found: Loads)
         context.leave(row, "it turns about the vertical axis")
         return
     on = [name for name, at in slab.columns.items() if at == place]
-    add_at_point(found, text(row, "loadcase"), place, row.name, on, M_x=y + 0.0, M_y=-x + 0.0)
+    add_at_point(loads, text(row, "loadcase"), place, row.name, on, M_x=y + 0.0, M_y=-x + 0.0)
     context.take(row, "moment of a point load")
 
 
-def _read_curve_action(context: ReadContext, row: Row, slab: Slab, found: Loads) -> None:
+def _read_curve_action(context: ReadContext, row: Row, slab: Slab, loads: Loads) -> None:
     """Add a force along edges of the slab, along a wall on it, or along a rib."""
     edges = find_edges(row, slab, text(row, "forceaction"))
     if not edges:
@@ -138,7 +138,7 @@ def _read_curve_action(context: ReadContext, row: Row, slab: Slab, found: Loads)
     start, end = line_values(context, row, _axes_of(context, row, slab, edges))
     path = loaded_part(context, row, edges)
     whole = wall and path == join(edges)
-    add_line(found, row, path, start, end, slab, wall if whole else "")
+    add_line(loads, row, path, start, end, slab, wall if whole else "")
     context.take(row, words_of("line load", *(a if a else b for a, b in zip(start, end, strict=True))))
 
 
@@ -157,7 +157,7 @@ def _axes_of(context: ReadContext, row: Row, slab: Slab, edges: Sequence[Edge]) 
     return x, cross(z, x), z
 
 
-def _read_curve_moment(context: ReadContext, row: Row, slab: Slab, found: Loads) -> None:
+def _read_curve_moment(context: ReadContext, row: Row, slab: Slab, loads: Loads) -> None:
     """Add a moment about a line: about its own direction, with its sign reversed (docs/howto/exchange_saf.md)."""
     edges = find_edges(row, slab, text(row, "forceaction"))
     if not edges:
@@ -182,7 +182,7 @@ def _read_curve_moment(context: ReadContext, row: Row, slab: Slab, found: Loads)
     whole = wall and (points, bulges) == join(edges)
     where: dict[str, Any] = {"wall": wall} if whole else {"points": points, "bulges": bulges}
     varies = {"m_end": m[1]} if len(m) > 1 else {}
-    found.loads.append(LineMoment(name=row.name, case=text(row, "loadcase"), m=m[0], **varies, **where))
+    loads.loads.append(LineMoment(name=row.name, case=text(row, "loadcase"), m=m[0], **varies, **where))
     context.take(row, "line moment")
 
 
@@ -196,7 +196,7 @@ def _share_along(context: ReadContext, points: Sequence[Place], direction: str) 
     return shares.pop() if len(shares) == 1 else 0.0
 
 
-def _read_surface_action(context: ReadContext, row: Row, slab: Slab, found: Loads) -> None:
+def _read_surface_action(context: ReadContext, row: Row, slab: Slab, loads: Loads) -> None:
     """Add a pressure on the slab or on a region of it."""
     region, member = text(row, "2dmemberregion"), text(row, "2dmember")
     on = word(row, "forceaction")
@@ -207,16 +207,16 @@ def _read_surface_action(context: ReadContext, row: Row, slab: Slab, found: Load
     case = text(row, "loadcase")
     if x or y:
         part = equal_area_polygon(to_ring(slab.regions[region])).intersection(slab.area) if region else slab.area
-        found.push(case, x * part.area, y * part.area)
+        loads.push(case, x * part.area, y * part.area)
     if up and region:
         shape = to_shape(slab.regions[region])
-        found.loads.append(AreaLoad(name=row.name, case=case, q=-up, shape=shape))
+        loads.loads.append(AreaLoad(name=row.name, case=case, q=-up, shape=shape))
     elif up:
-        found.loads.append(UniformLoad(name=row.name, case=case, q=-up))
+        loads.loads.append(UniformLoad(name=row.name, case=case, q=-up))
     context.take(row, words_of("pressure", x, y, up))
 
 
-def _read_temperature(context: ReadContext, row: Row, slab: Slab, found: Loads) -> None:
+def _read_temperature(context: ReadContext, row: Row, slab: Slab, loads: Loads) -> None:
     """Add a difference of temperature between the faces of the slab."""
     if text(row, "2dmember") != slab.name:
         context.leave(row, "it does not act on the slab")
@@ -230,7 +230,7 @@ def _read_temperature(context: ReadContext, row: Row, slab: Slab, found: Loads) 
             context.note(row, f"its mean of {(top + bottom) / 2:g} K, left out: it does not bend the slab")
         # the top is where the local z axis points
         difference = (bottom - top) * context.upwards
-        found.loads.append(TemperatureLoad(name=row.name, case=text(row, "loadcase"), difference=difference + 0.0))
+        loads.loads.append(TemperatureLoad(name=row.name, case=text(row, "loadcase"), difference=difference + 0.0))
         context.take(row, "temperature")
 
 
