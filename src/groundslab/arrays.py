@@ -1,4 +1,4 @@
-"""Types of arrays, and a cache of values derived from what holds them; loads NumPy."""
+"""Types of arrays, and a store of values derived from what holds them; loads NumPy."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import functools
 import weakref
 from collections.abc import Callable
 from dataclasses import fields, is_dataclass
-from typing import Generic, TypeVar
+from typing import Any, TypeVar, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,8 +16,8 @@ Integers = NDArray[np.int64]
 Indices = NDArray[np.int32]
 Flags = NDArray[np.bool_]
 
-Of = TypeVar("Of")
-T = TypeVar("T")
+#: A function that makes a value.
+Made = TypeVar("Made", bound=Callable[..., Any])
 
 
 class _Companion:
@@ -38,27 +38,15 @@ class _Companion:
         return other is not None and self._weak() is other
 
 
-class Memo(Generic[T]):
-    """Cache of values by the identity of an object and of a companion, for as long as the object lives.
+#: The values derived from objects that live, by the objects' identity and by what made them, with what is beside.
+_DERIVED: dict[int, dict[Callable[..., Any], tuple[tuple[_Companion, ...], Any]]] = {}
 
-    Results are immutable and hold arrays, which have no hash: functools.cache cannot hold what is derived from them.
-    The value may not hold the object. A companion is not held if it need not be, as it may be an object of another
-    cache whose companion is this one's object: both would live forever.
-    """
 
-    def __init__(self) -> None:
-        self._kept: dict[int, tuple[_Companion, T]] = {}
-
-    def get(self, of: object, beside: object, make: Callable[[], T]) -> T:
-        """Return the cached value of an object and its companion; compute it first if there is none."""
-        key = id(of)
-        kept = self._kept.get(key)
-        if kept is None or not kept[0].is_still(beside):
-            if kept is None:
-                weakref.finalize(of, self._kept.pop, key, None)
-            kept = _Companion(beside), make()
-            self._kept[key] = kept
-        return kept[1]
+def derived_from(of: object) -> dict[Callable[..., Any], tuple[tuple[_Companion, ...], Any]]:
+    """Return the store of all values that are derived from an object, which lives as long as the object does."""
+    if id(of) not in _DERIVED:
+        weakref.finalize(of, _DERIVED.pop, id(of), None)
+    return _DERIVED.setdefault(id(of), {})
 
 
 def freeze(value: object) -> None:
@@ -73,12 +61,29 @@ def freeze(value: object) -> None:
             freeze(getattr(value, field.name))
 
 
-def made_once(make: Callable[[Of], T]) -> Callable[[Of], T]:
-    """Return a function of one object that makes its value once for each, for as long as the object lives (`Memo`)."""
-    known: Memo[T] = Memo()
+def made_once(make: Made) -> Made:
+    """Return a function that makes its value once for its arguments, for as long as the first one lives.
 
-    @functools.wraps(make)
-    def get(of: Of) -> T:
-        return known.get(of, None, lambda: make(of))
+    Results are immutable and hold arrays, which have no hash: functools.cache cannot hold what is derived from them.
+    The value may not hold the first argument, or both would live forever. Of the others the last ones count.
+    """
+    return made_once_by(lambda *args: args)(make)
 
-    return get
+
+def made_once_by(objects: Callable[..., tuple[object, ...]]) -> Callable[[Made], Made]:
+    """Return what does the same by the objects on which a value depends, which are found from the arguments."""
+
+    def keeping(make: Made) -> Made:
+        @functools.wraps(make)
+        def get(*args: Any) -> Any:
+            of, *beside = objects(*args)
+            store = derived_from(of)
+            kept = store.get(make)
+            if kept is None or not all(map(_Companion.is_still, kept[0], beside)):
+                kept = tuple(map(_Companion, beside)), make(*args)
+                store[make] = kept
+            return kept[1]
+
+        return cast("Made", get)
+
+    return keeping

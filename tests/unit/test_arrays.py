@@ -7,8 +7,11 @@ import weakref
 from dataclasses import dataclass
 
 import numpy as np
+import pytest
 
-from groundslab.arrays import Array, Memo, made_once
+import groundslab
+from groundslab import arrays
+from groundslab.arrays import Array, derived_from, made_once, made_once_by
 
 
 @dataclass(frozen=True, slots=True, weakref_slot=True, eq=False)
@@ -57,11 +60,16 @@ def test_a_value_is_forgotten_with_its_object() -> None:
 
 
 def test_two_caches_that_cross_hold_nothing() -> None:
-    """Nodes with elements as their companion in one cache and the other way around in another are both forgotten."""
-    by_nodes, by_elements = Memo[float](), Memo[float]()
-    nodes, elements = np.ones(2), np.ones(3)
-    by_nodes.get(nodes, elements, lambda: 1.0)
-    by_elements.get(elements, nodes, lambda: 2.0)
+    """Nodes with elements as their companion for one value and the other way around for another are both forgotten."""
+
+    @made_once
+    def by_nodes(nodes: Array, elements: Array) -> float:
+        return float(nodes.sum() + elements.sum())
+
+    by_elements = made_once_by(lambda nodes, elements: (elements, nodes))(lambda nodes, elements: nodes @ elements)
+    nodes, elements = np.ones(3), np.ones(3)
+    assert (by_nodes(nodes, elements), by_elements(nodes, elements)) == (6.0, 3.0)
+    assert len(derived_from(nodes)) == len(derived_from(elements)) == 1
     kept = weakref.ref(nodes), weakref.ref(elements)
     del nodes, elements
     gc.collect()
@@ -70,9 +78,38 @@ def test_two_caches_that_cross_hold_nothing() -> None:
 
 def test_another_companion_makes_another_value() -> None:
     """The value is made again for another companion, also for None after one that nobody holds any more."""
-    memo, nodes = Memo[str](), np.ones(2)
+    nodes = np.ones(2)
+    by_object = made_once_by(lambda nodes, beside, _: (nodes, beside))(lambda _, __, called: called)
     for beside in (np.ones(3), None, (1, 2), np.ones(3)):
-        name = f"{type(beside).__name__}"
-        assert memo.get(nodes, beside, lambda name=name: name) == name  # type: ignore[misc]
-    memo.get(nodes, np.ones(4), lambda: "gone")
-    assert memo.get(nodes, None, lambda: "none") == "none"
+        called = type(beside).__name__
+        assert by_object(nodes, beside, called) == called
+        assert by_object(nodes, beside, "again") == called
+    by_object(nodes, np.ones(4), "gone")
+    assert by_object(nodes, None, "none") == "none"
+
+
+@pytest.mark.parametrize("code", ["EN 1992-1-1", "ACI 318"])
+def test_all_that_is_derived_of_results_is_forgotten_with_them(code: str) -> None:
+    """Solved, designed, summed up and forgotten: no value holds what it was derived from, which would live forever."""
+    slab = groundslab.Model.model_validate(
+        {
+            "plate": {"length_x": 6.0, "length_y": 6.0, "thickness": 0.4, "E": 30e9, "nu": 0.2},
+            "ground": {"kind": "winkler", "k": 3e7},
+            "columns": [{"name": "C", "x": 0.0, "y": 0.0, "width_x": 0.4, "width_y": 0.4}],
+            "cases": [{"name": "G", "action": "permanent"}],
+            "loads": [{"kind": "point", "case": "G", "column": "C", "P": 1e6}],
+            "combinations": [{"name": "U", "limit_state": "ultimate", "factors": {"G": 1.35}}],
+            "reinforcement": {"code": code, "f_ck": 30e6, "f_yk": 500e6, "bottom": (0.05, 0.07), "top": (0.05, 0.07)},
+            "mesh": {"size": 0.5},
+        }
+    )
+    before = len(arrays._DERIVED)
+    results = groundslab.solve(slab)
+    groundslab.check_design(results)
+    assert groundslab.tables_of(results)
+    assert len(arrays._DERIVED) > before
+    kept = weakref.ref(results)
+    del results, slab
+    gc.collect()
+    assert kept() is None
+    assert len(arrays._DERIVED) <= before

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from groundslab.arrays import Array, Integers, Memo
+from groundslab.arrays import Array, Integers, made_once_by
 from groundslab.fem.hanging import find_hanging
 from groundslab.fem.shape_functions import areas
 
@@ -28,12 +28,10 @@ def error_of_cracks(results: CombinationResult) -> float:
     """
     if results.comparison is None or results.elements.stiffness_ratio is None:
         return 0.0
-    return _KNOWN.get(results.comparison, None, lambda: _error_of_cracks(results))
+    return _error_of_cracks(results)
 
 
-_KNOWN: Memo[float] = Memo()
-
-
+@made_once_by(lambda results: (results.comparison,))
 def _error_of_cracks(results: CombinationResult) -> float:
     """Return the same of results with cracks."""
     e, elements = results.elements, results.plate.elements

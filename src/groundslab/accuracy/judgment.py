@@ -11,12 +11,13 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Iterator, Mapping
 from dataclasses import dataclass, field, fields, replace
 from functools import partial
+from operator import attrgetter
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from groundslab.accuracy.values import add_errors, error_of_contact_share, estimate_error, line_of_lift_off
-from groundslab.arrays import Array, Flags, Memo
+from groundslab.arrays import Array, Flags, made_once_by
 from groundslab.results.fields import PLATE_FIELDS, extreme_node, place_of
 from groundslab.results.record import BeamResult, LargestValues
 
@@ -54,7 +55,7 @@ def judge(results: CombinationResult) -> list[JudgedValue]:
     """Return the judged values with their errors, the largest first; none without a coarser mesh to compare."""
     if results.comparison is None:
         return []
-    known = _VALUES.get(results.comparison, None, lambda: [*judged_values(results)])
+    known = _judged_once(results)
     largest = results.largest or find_largest([results])
     values = ((getattr(largest, against), value) for against, value in known)
     judged = (replace(value, share=value.share / size, error=value.share) for size, value in values if size > 0)
@@ -66,9 +67,15 @@ def guess(results: CombinationResult) -> list[JudgedValue]:
     return [replace(value, share=0.0, error=value.share) for _, value in judged_values(results)]
 
 
+@made_once_by(lambda results: (results.comparison,))
+def _judged_once(results: CombinationResult) -> list[tuple[str, JudgedValue]]:
+    """Return the judged values with their errors, which are asked for more than once."""
+    return [*judged_values(results)]
+
+
 def find_largest(combinations: Collection[CombinationResult]) -> LargestValues | None:
     """Return the largest values over some combinations, None of none."""
-    own = [_LARGEST.get(results.plate, results.supports, partial(_largest_of, results)) for results in combinations]
+    own = [_largest_of(results) for results in combinations]
     if not own:
         return None
     return LargestValues(**{item.name: max(getattr(each, item.name) for each in own) for item in fields(LargestValues)})
@@ -80,6 +87,7 @@ def judge_together(combinations: Mapping[str, CombinationResult]) -> dict[str, C
     return {name: replace(results, largest=largest) for name, results in combinations.items()}
 
 
+@made_once_by(attrgetter("plate", "supports"))
 def _largest_of(results: CombinationResult) -> LargestValues:
     """Return the largest values of one combination."""
     from groundslab.accuracy.singularities import find_limits
@@ -176,8 +184,3 @@ def _extreme(
     error = float(most[node]) - value
     around = nodes[most >= value + error / 2]
     return JudgedValue(error, sign * value, PLATE_FIELDS[name].label, place_of(nodes, node), around, sign)
-
-
-#: Judged values of results with their errors, and the largest ones, which are asked for more than once.
-_VALUES: Memo[list[tuple[str, JudgedValue]]] = Memo()
-_LARGEST: Memo[LargestValues] = Memo()

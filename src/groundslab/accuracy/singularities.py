@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from groundslab.arrays import Array, Flags, Memo
+from groundslab.arrays import Array, Flags, made_once_by
 from groundslab.geometry.nearest import nearest_distance
 from groundslab.geometry.plan import Segment, numbers_within
 from groundslab.model.ground import ContinuousGround
@@ -34,10 +34,6 @@ class Limits:
     pressures: Flags
 
 
-#: What combinations have in common.
-_WITHOUT_CONTACT: Memo[Limits] = Memo()
-
-
 def find_limits(model: Model, plate: PlateResult) -> Limits:
     """Return at which nodes of the plate (n,) shear forces and pressures are judged.
 
@@ -51,7 +47,7 @@ def find_limits(model: Model, plate: PlateResult) -> Limits:
     strip lifts off there, narrower than any element.
     On an elastic continuum they have no limit along the edges of the plate.
     """
-    limits = _WITHOUT_CONTACT.get(plate.nodes, model, lambda: limits_without_contact(model, plate.nodes))
+    limits = limits_without_contact(model, plate.nodes)
     if not model.ground_carries_shear or not model.contact.tensionless:
         return limits
     pulled = plate.in_contact & (plate.edge_length > 0) & (plate.line_force <= 0)
@@ -65,6 +61,7 @@ def find_limits(model: Model, plate: PlateResult) -> Limits:
     return Limits(limits.shear_forces, pressures)
 
 
+@made_once_by(lambda model, nodes: (nodes, model))
 def limits_without_contact(model: Model, nodes: Array) -> Limits:
     """Return at which nodes (n, 2) shear forces and pressures are judged where nothing has lifted off."""
     reach = AWAY * max(plate.thickness for plate in model.every_plate)

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from groundslab.accuracy.cracked_border import error_of_cracks
-from groundslab.arrays import Array, Flags, Integers, Memo
+from groundslab.arrays import Array, Flags, Integers, made_once_by
 from groundslab.fem.hanging import find_hanging
 from groundslab.results.contact_zone import lifts_off_springs
 
@@ -90,7 +90,7 @@ def estimate_errors(
     around = np.zeros(len(plate.nodes))
     around[where] = change
     of_elements = AROUND * around[plate.elements].max(axis=1)
-    meeting = _MEETING.get(plate.elements, None, lambda: _meeting(plate.elements, len(plate.nodes)))
+    meeting = _meeting(plate.elements, len(plate.nodes))
     largest = np.maximum(around, np.maximum.reduceat(of_elements[meeting.elements], meeting.first))
     q = reduction_of(results, field)[where]
     return np.maximum(largest[where] * q / (1 - q), of_cracks)
@@ -103,10 +103,7 @@ class _Meeting(NamedTuple):
     first: Integers  # (n,): which of them is the first of each node
 
 
-#: Those of a mesh.
-_MEETING: Memo[_Meeting] = Memo()
-
-
+@made_once_by(lambda elements, _: (elements,))
 def _meeting(elements: Integers, n: int) -> _Meeting:
     """Return the elements (m, 9) that meet at each of n nodes, all of which have some."""
     order = np.argsort(elements, axis=None, kind="stable")

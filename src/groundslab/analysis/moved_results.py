@@ -7,7 +7,7 @@ from typing import TypeVar
 
 import numpy as np
 
-from groundslab.arrays import Array, Memo
+from groundslab.arrays import Array, made_once
 from groundslab.errors import GroundslabError, NotCertified
 from groundslab.fem.continuum.pressed_cells import PressedCells
 from groundslab.geometry.plan import Place
@@ -80,13 +80,15 @@ def _move_state(state: State, by: Place) -> State:
     return replace(state, plate=_move_nodes(state.plate, by), ground=_move_ground(state.ground, by))
 
 
-#: Combinations on one mesh have the same nodes before and after.
-_NODES: Memo[Array] = Memo()
-
-
 def _move_nodes(part: WithNodes, by: Place) -> WithNodes:
     """Return the plate, the ground, a support, a joint, a beam or a base, moved."""
-    return replace(part, nodes=_NODES.get(part.nodes, by, lambda: part.nodes + by))
+    return replace(part, nodes=_moved(part.nodes, by))
+
+
+@made_once
+def _moved(nodes: Array, by: Place) -> Array:
+    """Return nodes, moved; combinations on one mesh have the same ones before and after."""
+    return nodes + by
 
 
 def _move_each(parts: tuple[WithNodes, ...], by: Place) -> tuple[WithNodes, ...]:

@@ -14,7 +14,7 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from groundslab.arrays import Array, Flags, Integers, Memo
+from groundslab.arrays import Array, Flags, Integers, made_once
 from groundslab.design.basis.bending_steps import BarsNeeded
 from groundslab.design.basis.combinations import ultimate_results
 from groundslab.design.basis.demand_errors import error_along
@@ -103,17 +103,9 @@ class _Section:
         return TensionZone(self.d[face], inertia / depth, mean, b, width, h, depth, self.flange, self.diameter)
 
 
-#: Needs of beams, which checks, tables and calculations ask for.
-_NEEDS: Memo[list[BeamNeed]] = Memo()
-
-
+@made_once
 def beam_needs(combined: Results, steel: Reinforcement) -> list[BeamNeed]:
     """Return what each beam of concrete needs, of all ultimate combinations the most."""
-    return _NEEDS.get(combined, steel, lambda: _all_needs(combined, steel))
-
-
-def _all_needs(combined: Results, steel: Reinforcement) -> list[BeamNeed]:
-    """Return the needs, which are found once of the same results."""
     found: list[BeamNeed] = []
     for number, beam in enumerate(combined.model.beams):
         if isinstance(beam.section, GivenSection):

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from dataclasses import fields, replace
 from functools import lru_cache
+from operator import attrgetter
 from typing import Any
 
 import numpy as np
 
-from groundslab.arrays import Array, Flags, Integers, Memo
+from groundslab.arrays import Array, Flags, Integers, made_once_by
 from groundslab.messages import Message
 from groundslab.model.loads.acting import PlateAction, PointForce
 from groundslab.model.loads.load_types import AnyLoad
@@ -113,14 +114,10 @@ def plate_under(results: CombinationResult, x: float, y: float) -> PlateResult:
     return list(results_by_plate(results).values())[number]
 
 
-#: How far plates reach from their edges [m], by their mesh.
-_REACH: Memo[float] = Memo()
-
-
+@made_once_by(attrgetter("plate.nodes", "plate.elements"))
 def farthest_from_edges(results: CombinationResult) -> float:
     """Return the largest distance of any node from the edges of all plates [m]."""
-    plate = results.plate
-    return _REACH.get(plate.nodes, plate.elements, lambda: float(distances_to_edges(results, plate.nodes).max()))
+    return float(distances_to_edges(results, results.plate.nodes).max())
 
 
 def distances_to_edges(results: CombinationResult, places: Array) -> Array:

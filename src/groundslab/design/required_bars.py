@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from groundslab.arrays import Array, Flags, Integers, Memo
+from groundslab.arrays import Array, Flags, Integers, made_once
 from groundslab.design.basis.combinations import ultimate_results
 from groundslab.design.bending import Axes, BendingRule, SlabReinforcement, slab
 from groundslab.design.codes import code_of
@@ -101,23 +101,23 @@ class Need:
     laid: float | None = None  # area of the bars provided there, where needs depend on it [m2/m]
 
 
-#: Needs without areas that are laid, which checks, tables and calculations ask for.
-_NEEDS: Memo[list[Need]] = Memo()
-
-
 def governing_needs(combined: Results, steel: Reinforcement, laid: Mapping[str, Array] | None = None) -> list[Need]:
     """Return the needs of each layer in each section of the plate, over all ultimate combinations.
 
     Within a section the depth is one, so that the largest moment of each face governs in each limit state: all that a
     layer needs grows with them. With areas that are laid (n,) [m2/m], by layer, a section is divided by them.
     """
-    if laid is None:
-        return _NEEDS.get(combined, steel, lambda: _governing(combined, steel, None))
-    return _governing(combined, steel, laid)
+    return _needs(combined, steel) if laid is None else _governing(combined, steel, laid)
+
+
+@made_once
+def _needs(combined: Results, steel: Reinforcement) -> list[Need]:
+    """Return the needs without areas that are laid, which checks, tables and calculations ask for."""
+    return _governing(combined, steel, None)
 
 
 def _governing(combined: Results, steel: Reinforcement, laid: Mapping[str, Array] | None) -> list[Need]:
-    """Return the needs, which are found once of the same results."""
+    """Return the needs, with areas that are laid if there are any."""
     results = ultimate_results(combined)
     required = required_areas(steel, results)
     if not required:

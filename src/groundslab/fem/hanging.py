@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from groundslab.arrays import Array, Integers, Memo
+from groundslab.arrays import Array, Integers, made_once, made_once_by
 from groundslab.fem.mesh import SIDES, meeting_halves
 
 if TYPE_CHECKING:
@@ -20,16 +20,12 @@ if TYPE_CHECKING:
 WEIGHTS = np.array([3.0, 6.0, -1.0]) / 8
 
 
+@made_once
 def find_hanging(elements: Integers) -> Integers:
     """Return the hanging nodes of elements (m, 9), (h, 4).
 
     With each the end of the longer side that is near to it, that side's middle and its other end.
     """
-    return _HANGING.get(elements, None, lambda: _find_hanging(elements))
-
-
-def _find_hanging(elements: Integers) -> Integers:
-    """Return the hanging nodes of elements (m, 9), (h, 4), as `find_hanging`."""
     both = meeting_halves(elements)
     if not both.any():
         return np.zeros((0, 4), dtype=np.int64)
@@ -50,11 +46,6 @@ def _find_hanging(elements: Integers) -> Integers:
     return np.column_stack([halves[hanging, 2], near[place], middle[place], far[place]])
 
 
-#: Hanging nodes and what moves them, which are asked for again and again.
-_HANGING: Memo[Integers] = Memo()
-_CARRYING: Memo[csr_array | None] = Memo()
-
-
 def carry(elements: Integers, values: Array) -> Array:
     """Return nodal values (n,) or (n, k) in which hanging nodes have those of the sides on which they hang."""
     carrying = _carrying(elements, len(values))
@@ -67,13 +58,9 @@ def collect(elements: Integers, forces: Array) -> Array:
     return forces if carrying is None else np.asarray(carrying.T @ forces)
 
 
+@made_once_by(lambda elements, _: (elements,))
 def _carrying(elements: Integers, n: int) -> csr_array | None:
     """Return the matrix (n, n) by which nodes move hanging ones, and others themselves; None where none hangs."""
-    return _CARRYING.get(elements, None, lambda: _make_carrying(elements, n))
-
-
-def _make_carrying(elements: Integers, n: int) -> csr_array | None:
-    """Return the matrix (n, n) of `_carrying`."""
     hanging = find_hanging(elements)
     if not len(hanging):
         return None

@@ -8,11 +8,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
+from operator import attrgetter
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from groundslab.arrays import Array, Flags, Integers, Memo
+from groundslab.arrays import Array, Flags, Integers, made_once_by
 from groundslab.fem.assembly import scatter
 from groundslab.fem.mesh import Mesh, local_coordinates, locate
 from groundslab.fem.shape_functions import determinants, gauss, gauss_line, q9
@@ -66,16 +67,14 @@ def find_elements_near(mesh: Mesh, part: Polygon) -> Integers:
     return np.flatnonzero(_meets_box(mesh, part.bounds))
 
 
-_BOXES: Memo[tuple[Array, Array]] = Memo()
-
-
 def _meets_box(mesh: Mesh, bounds: tuple[float, float, float, float]) -> Flags:
     """Return which elements of a mesh (m,) may meet a box x0, y0, x1, y1."""
     x0, y0, x1, y1 = bounds
-    (low_x, low_y), (high_x, high_y) = _BOXES.get(mesh.elements, mesh.nodes, lambda: _boxes(mesh))
+    (low_x, low_y), (high_x, high_y) = _boxes(mesh)
     return np.asarray((low_x <= x1) & (low_y <= y1) & (high_x >= x0) & (high_y >= y0))
 
 
+@made_once_by(attrgetter("elements", "nodes"))
 def _boxes(mesh: Mesh) -> tuple[Array, Array]:
     """Return the lower left and upper right corners (2, m) of boxes around elements, however their sides curve."""
     low, high = mesh.xy.min(axis=1), mesh.xy.max(axis=1)

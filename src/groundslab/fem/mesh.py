@@ -5,11 +5,12 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
+from operator import attrgetter
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from groundslab.arrays import Array, Flags, Integers, Memo
+from groundslab.arrays import Array, Flags, Integers, made_once_by
 from groundslab.errors import InputError, Issue
 from groundslab.fem.shape_functions import COLUMN, ROW, parallelograms, q9, unique_integers
 from groundslab.geometry.plan import SAME_PLACE, Segment, format_place
@@ -150,9 +151,10 @@ def bounding_boxes(mesh: Mesh, reach: float = NEAR) -> STRtree:
     return shapely.STRtree(shapely.box(low[:, 0], low[:, 1], high[:, 0], high[:, 1]))
 
 
+@made_once_by(attrgetter("elements", "nodes"))
 def boxes_of(mesh: Mesh) -> STRtree:
     """Return the mesh's `bounding_boxes`, which are made once of the same nodes and elements."""
-    return _BOXES.get(mesh.elements, mesh.nodes, lambda: bounding_boxes(mesh))
+    return bounding_boxes(mesh)
 
 
 def locate(mesh: Mesh, points: Array, reach: float = NEAR, boxes: STRtree | None = None) -> tuple[Integers, Array]:
@@ -381,7 +383,3 @@ def mirror(mesh: Mesh, axis: int) -> tuple[Mesh, Integers, Array]:
     doubled = Mesh(np.vstack([mesh.nodes, images]), np.vstack([mesh.elements, image_of[mesh.elements[:, MIRRORED]]]))
     source = np.concatenate([np.arange(n), np.flatnonzero(apart)])
     return doubled, source, np.repeat([1.0, -1.0], [n, len(images)])
-
-
-#: Search trees of the meshes in which points have been located.
-_BOXES: Memo[STRtree] = Memo()

@@ -12,10 +12,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from operator import attrgetter
 
 import numpy as np
 
-from groundslab.arrays import Array, Flags, Integers, Memo
+from groundslab.arrays import Array, Flags, Integers, made_once_by
 from groundslab.fem.bearings import Links, Measures
 from groundslab.fem.continuum.elastic_ground import ElasticGround
 from groundslab.fem.foundation import Column
@@ -119,11 +120,9 @@ class Problem:
         return number
 
     @property
+    @made_once_by(attrgetter("mesh.nodes", "plate.number"))
     def length(self) -> float:
         """Return the longer side of the largest plate's meshed part [m], times which a rotation is a displacement."""
-        return _LENGTHS.get(self.mesh.nodes, self.plate.number, self._longest_side)
-
-    def _longest_side(self) -> float:
         numbers = range(len(self.plate.names))
         return max(float(np.ptp(self.mesh.nodes[self.nodes_of(number)], axis=0).max()) for number in numbers)
 
@@ -176,10 +175,6 @@ class Problem:
         """Return the problem under the sum of its load cases times factors (cases,)."""
         first, *others = (case.scale(factor) for case, factor in zip(self.cases, factors, strict=True) if factor != 0)
         return replace(self, loading=sum(others, first))
-
-
-#: The lengths of problems on a mesh, see `Problem.length`.
-_LENGTHS: Memo[float] = Memo()
 
 
 def membrane_unknowns(problem: Problem, U: Array) -> Array:

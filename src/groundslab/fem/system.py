@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from groundslab.arrays import Array, Flags, Indices, Integers, Memo
+from groundslab.arrays import Array, Flags, Indices, Integers, made_once_by
 from groundslab.fem import assembly
 from groundslab.fem.assembly import Pattern
 from groundslab.fem.bearings import SURFACE, Bearings
@@ -160,13 +160,9 @@ class _Parts:
     ground: dict[tuple[int, int, bool], _GroundPart]  # by two surfaces, and whether elements differ; as it is asked for
 
 
-#: Kept for further columns of ground.
-_PARTS: Memo[_Parts] = Memo()
-
-
 def _sum_of_parts(s: System, column: Column) -> Symmetric:
     """Return the matrix of plate and ground, which is linear in A0 and A1 of each element."""
-    parts = _PARTS.get(s.blocks.plate, s.pattern, lambda: _make_parts(s))
+    parts = _parts(s)
     data = parts.plate.copy()
     for a, c in _coupled(column):
         part = _ground_part(parts, s, (a, c, column.varies))
@@ -178,7 +174,8 @@ def _sum_of_parts(s: System, column: Column) -> Symmetric:
     return s.pattern.matrix(data)
 
 
-def _make_parts(s: System) -> _Parts:
+@made_once_by(lambda s: (s.blocks.plate, s.pattern))
+def _parts(s: System) -> _Parts:
     """Return what the matrices of a system on different ground have in common."""
     b, p = s.blocks, s.pattern
     F = p.unknown.shape[1]

@@ -14,7 +14,7 @@ from typing import Literal
 import numpy as np
 
 from groundslab.accuracy.values import estimate_error
-from groundslab.arrays import Array, Memo
+from groundslab.arrays import Array, made_once_by
 from groundslab.design.basis.combinations import ultimate_results
 from groundslab.design.by_plate import plate_under
 from groundslab.design.demands.edge_strip import plates_that_count
@@ -100,8 +100,10 @@ def loaded_ends(model: Model) -> tuple[WallEnd, ...]:
     )
 
 
-#: Those of a model, by its mesh, where walls press and where they pull.
-_SITES: Memo[dict[bool, list[WallSite]]] = Memo()
+@made_once_by(lambda results, model: (results.plate.nodes, model))
+def _known_sites(results: CombinationResult, model: Model) -> dict[bool, list[WallSite]]:  # noqa: ARG001
+    """Return the sites of a model, as they are added, where walls press (False) and where they pull."""
+    return {}
 
 
 def punching_walls(
@@ -124,7 +126,7 @@ def punching_walls(
     first = results[0]
     counts = openings, share
     forces = forces_at_ends(model, results)
-    known = _SITES.get(first.plate.nodes, model, dict)
+    known = _known_sites(first, model)
     for pulls in (False, True):
         if pulls not in known and any((force < 0) if pulls else (force > 0) for force in forces.values()):
             known[pulls] = [*_sites(first, steel, distances, counts, (most_along, pulls))]

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
-from groundslab.arrays import Memo
+from groundslab.arrays import made_once
 from groundslab.design.basis.check import ORDER, DesignCheck, Status, in_units
 from groundslab.design.checks import (
     bearings,
@@ -66,8 +66,6 @@ CHECKS: tuple[Callable[[Results], Iterable[DesignCheck]], ...] = (
     _left_out,
 )
 
-#: Designs, which summary, tables and report ask for.
-_DESIGNS: Memo[Design] = Memo()
 #: What no check looks at.
 NOT_CHECKED = "anchorage is not checked"
 
@@ -127,9 +125,10 @@ def check_design(combined: Results) -> Design:
     'Strength was not checked: the case has no [reinforcement].'
     """
     require(combined, Results, name="results")
-    return _DESIGNS.get(combined, None, lambda: _check_design(combined))
+    return _check_design(combined)
 
 
+@made_once
 def _check_design(combined: Results) -> Design:
     """Return the checks, which are made once of the same results."""
     names = names_of(combined.model)

@@ -15,11 +15,11 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
-from functools import partial
+from operator import attrgetter
 
 import numpy as np
 
-from groundslab.arrays import Array, Integers, Memo
+from groundslab.arrays import Array, Integers, made_once_by
 from groundslab.design.by_plate import farthest_from_edges, results_by_plate
 from groundslab.fem.foundation import decay_length, interface_stack
 from groundslab.fem.mesh import sides_on_boundary
@@ -35,10 +35,11 @@ ON_SIDE = 1e-6
 #: Places are looked for in strips as wide as a power of this [m], which combinations have in common.
 WIDER = 1.25
 
-#: The sides of elements along a plate's edge (k, 3: start, middle, end), by its nodes.
-_SIDES: Memo[Integers] = Memo()
-#: Pairs of sides and nodes that may lie in a strip beside them, by its width and the nodes.
-_PAIRS: Memo[dict[tuple[float, bytes], tuple[Integers, Integers]]] = Memo()
+
+@made_once_by(attrgetter("nodes", "elements"))
+def _pairs_of(plate: PlateResult) -> dict[tuple[float, bytes], tuple[Integers, Integers]]:  # noqa: ARG001
+    """Return pairs of sides and nodes that may lie in a strip beside them, as they are added, by width and nodes."""
+    return {}
 
 
 def line_force_share(results: CombinationResult) -> float:
@@ -79,7 +80,7 @@ def spread_edge_force(results: CombinationResult, nodes: Integers | None = None)
         return plate
     some = np.arange(len(plate.nodes)) if nodes is None else nodes
     (sides, f), b = _sides(results), strip_width(results)
-    places, known = plate.nodes[some], _PAIRS.get(plate.nodes, plate.elements, dict)
+    places, known = plate.nodes[some], _pairs_of(plate)
     width = WIDER ** math.ceil(math.log(b, WIDER))
     key = width, some.tobytes()
     pairs = known[key] if key in known else known.setdefault(key, _pairs(places, sides, width))
@@ -100,13 +101,15 @@ def _sides(results: CombinationResult) -> tuple[Array, Array]:
     """
     ends, f = [], []
     for plate in results_by_plate(results).values():
-        sides = _SIDES.get(plate.nodes, plate.elements, partial(_along_edge, plate))
+        sides = _along_edge(plate)
         ends.append(plate.nodes[sides])
         f.append(np.maximum(plate.line_force[sides], 0.0))
     return np.concatenate(ends), np.concatenate(f)
 
 
+@made_once_by(attrgetter("nodes", "elements"))
 def _along_edge(plate: PlateResult) -> Integers:
+    """Return the sides of elements along a plate's edge (k, 3: start, middle, end)."""
     # the border of two sections is no edge: its nodes stand once for each section, at exactly the same place
     _, first, same = np.unique(plate.nodes + 0.0, axis=0, return_index=True, return_inverse=True)
     sides: Integers = first[sides_on_boundary(same.reshape(-1)[plate.elements])][:, [0, 2, 1]]

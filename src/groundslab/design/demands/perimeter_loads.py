@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, TypeVar
 
 import numpy as np
 
-from groundslab.arrays import Array, Integers, Memo
+from groundslab.arrays import Array, Integers
 from groundslab.design.demands.loads import column_loads
 from groundslab.design.demands.loads.edge_lengths import edge_inside
 from groundslab.design.demands.perimeters import Footprint, Perimeter, RectangularColumn, RoundColumn
@@ -57,7 +57,9 @@ def pushing_forces(
     results: Sequence[CombinationResult],
     forces: Sequence[PunchingForce],
     model: Model,
-    of_places: tuple[Memo[Places[Place]], Callable[[CombinationResult, PunchingForce], Place]],
+    of_places: tuple[
+        Callable[[CombinationResult, Model], Places[Place]], Callable[[CombinationResult, PunchingForce], Place]
+    ],
 ) -> Iterator[tuple[PunchingForce, Place, list[CombinationResult]]]:
     """Yield the forces, each way that it acts, what a check knows of the place of each, and the combinations.
 
@@ -69,7 +71,7 @@ def pushing_forces(
     for punching in (way for force in forces for way in force.ways):
         pushing = [result for result in results if _acts(punching.pushing(result), least)]
         if pushing:
-            known, key = kept.get(pushing[0].plate.nodes, model, dict), (punching.key, punching.pulls)
+            known, key = kept(pushing[0], model), (punching.key, punching.pulls)
             if key not in known:
                 known[key] = make(pushing[0], punching)
             yield punching, known[key], pushing

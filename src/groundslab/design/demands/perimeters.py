@@ -11,11 +11,12 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations, pairwise
+from operator import attrgetter
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
 import numpy as np
 
-from groundslab.arrays import Array, Integers, Memo
+from groundslab.arrays import Array, Integers, made_once_by
 from groundslab.design.demands.line_properties import chains, cuts_strips, shape_of, total_length
 from groundslab.errors import InputError, Issue
 from groundslab.fem.mesh import sides_on_boundary
@@ -377,13 +378,10 @@ def directed(legs: Array, parts_of_each: np.typing.NDArray[Any]) -> Array:
     return np.where(along[:, None, None] >= 0, ends, ends[:, ::-1])
 
 
-#: The outlines of plates, by their nodes.
-_OUTLINES: Memo[Polygon | MultiPolygon] = Memo()
-
-
+@made_once_by(attrgetter("nodes", "elements"))
 def outline(plate: PlateResult) -> Polygon | MultiPolygon:
     """Return the plate in plan, its openings as holes, curved sides as chords."""
-    return _OUTLINES.get(plate.nodes, plate.elements, lambda: area_of(plate.nodes, plate.elements))
+    return area_of(plate.nodes, plate.elements)
 
 
 def area_of(nodes: Array, elements: Integers) -> Polygon | MultiPolygon:

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from itertools import pairwise
+from operator import attrgetter
 
 import numpy as np
 
-from groundslab.arrays import Array, Flags, Integers, Memo
+from groundslab.arrays import Array, Flags, Integers, made_once_by
 from groundslab.design.demands.design_moments import wood_armer
 from groundslab.design.demands.line_traversal import ON_LINE, Pieces, interpolation, is_continuous, pieces
 from groundslab.errors import InputError, Issue
@@ -160,8 +161,10 @@ def length_across(plate: PlateResult, ends: Array) -> Array:
     return found
 
 
-#: Pieces of lines in the elements of a mesh, which combinations have in common, by the ends of their legs.
-_LINES: Memo[dict[bytes, Pieces]] = Memo()
+@made_once_by(attrgetter("nodes", "elements"))
+def _pieces_of(mesh: Mesh) -> dict[bytes, Pieces]:  # noqa: ARG001
+    """Return the pieces of lines in a mesh, as combinations add them, by the ends of the lines' legs."""
+    return {}
 
 
 @dataclass(frozen=True, slots=True)
@@ -231,7 +234,7 @@ def _legs(points: Array) -> Array:
 
 def _on_plate(mesh: Mesh, ends: Array, where: str) -> Pieces:
     """Return the pieces of legs in the plate's elements; InputError if there are none."""
-    known = _LINES.get(mesh.nodes, mesh.elements, dict)
+    known = _pieces_of(mesh)
     key = ends.tobytes()
     line = known[key] if key in known else known.setdefault(key, pieces(mesh, ends))
     if not len(line.low):

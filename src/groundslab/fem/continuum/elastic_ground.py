@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from groundslab.arrays import Array, Memo
+from groundslab.arrays import Array, made_once
 from groundslab.fem.continuum.cells import Cells, Grid
 from groundslab.fem.continuum.flexibility import Flexibility, make_flexibility
 from groundslab.fem.continuum.media import Medium
@@ -118,7 +118,7 @@ class ElasticGround:
         from scipy.interpolate import RegularGridInterpolator
 
         def settle(medium: Medium, of: Flexibility) -> Array:
-            operators = _WIDE.get(of, None, dict)
+            operators = _wider(of)
             if wide not in operators:
                 operators[wide] = make_operator(medium, wide)
             operator = operators[wide]
@@ -148,8 +148,10 @@ class ElasticGround:
                        relief=None, piles=None)  # fmt: skip
 
 
-#: Operators of wider grids, by those of the cells.
-_WIDE: Memo[dict[Grid, Flexibility]] = Memo()
+@made_once
+def _wider(of: Flexibility) -> dict[Grid, Flexibility]:  # noqa: ARG001
+    """Return the operators of wider grids than that of the cells, as they are added."""
+    return {}
 
 
 def make_operator(medium: Medium, grid: Grid) -> Flexibility:

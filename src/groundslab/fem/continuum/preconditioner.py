@@ -4,13 +4,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from itertools import product
+from operator import attrgetter
 
 import numpy as np
 
-from groundslab.arrays import Array, Memo
-from groundslab.fem.continuum.cells import Grid
+from groundslab.arrays import Array, made_once_by
 from groundslab.fem.continuum.elastic_ground import ElasticGround
-from groundslab.fem.continuum.media import Medium
 
 #: T(k) is interpolated between so many wave numbers.
 TABLE = 400
@@ -41,20 +40,18 @@ class Preconditioner:
 
 def make_preconditioner(ground: ElasticGround, D: float) -> Preconditioner:
     """Return the preconditioner for a plate of a bending rigidity D [N m] on a ground."""
-    medium, grid = ground.medium, ground.cells.grid
-    by_ground, by_plate = _SETTLED.get(ground.flexibility, medium, lambda: _settled(medium, grid))
+    grid = ground.cells.grid
+    by_ground, by_plate = _settled(ground)
     return Preconditioner(ground, grid.dx * grid.dy / (by_ground + by_plate / D))
 
 
-#: Of grids on their ground, for plates of further rigidities.
-_SETTLED: Memo[tuple[Array, Array]] = Memo()
-
-
-def _settled(medium: Medium, grid: Grid) -> tuple[Array, Array]:
+@made_once_by(attrgetter("flexibility", "medium"))
+def _settled(ground: ElasticGround) -> tuple[Array, Array]:
     """Return the mean settlement of cells by waves of pressures that are means over cells, (nx, ny) each.
 
     By the ground [m/Pa], and by a plate of a bending rigidity of one [N m2/Pa].
     """
+    medium, grid = ground.medium, ground.cells.grid
     k_x = np.arange(grid.nx, dtype=np.float64) * (np.pi / (grid.nx * grid.dx))
     k_y = np.arange(grid.ny, dtype=np.float64) * (np.pi / (grid.ny * grid.dy))
     # the mean is left to equilibrium

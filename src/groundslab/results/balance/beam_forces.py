@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from groundslab.arrays import Array, Flags, Integers, Memo
+from groundslab.arrays import Array, Flags, Integers, made_once_by
 from groundslab.fem.mesh import select_along, sides_of
 from groundslab.fem.parts.beams import POINTS, THETA, TO_ENDS, Beams, section_forces
 from groundslab.fem.parts.spans import forces_within, settlements_within
@@ -121,7 +121,7 @@ def _along(model: Model, solution: Solution) -> tuple[Stations, Array, Array]:
     """
     problem = solution.system.problem
     b = problem.beams
-    stations = _STATIONS.get(problem.mesh.nodes, model.loads, lambda: _make_stations(model, problem))
+    stations = _stations(model, problem)
     own = section_forces(b, problem.mesh.nodes, beam_unknowns(problem, solution.U))
     recovered = np.einsum("kp,kpr->rk", stations.weights, own.reshape(-1, own.shape[-1])[stations.points])
     if b.spans.any():
@@ -129,11 +129,8 @@ def _along(model: Model, solution: Solution) -> tuple[Stations, Array, Array]:
     return stations, own, recovered
 
 
-#: Those of a mesh with its beams.
-_STATIONS: Memo[Stations] = Memo()
-
-
-def _make_stations(model: Model, problem: Problem) -> Stations:
+@made_once_by(lambda model, problem: (problem.mesh.nodes, model.loads))
+def _stations(model: Model, problem: Problem) -> Stations:
     """Return the stations of all beams of a problem, from one beam's start to its end after the other."""
     b = problem.beams
     first = np.flatnonzero(~_goes_on(model, problem))

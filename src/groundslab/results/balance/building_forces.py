@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from groundslab.arrays import Array, Memo
+from groundslab.arrays import Array, made_once_by
 from groundslab.discretize.building import bases_of, motion_stiffness
 from groundslab.fem.parts.building import FIELDS, Building
 from groundslab.fem.system import System, stiffness
@@ -51,7 +51,7 @@ def _changes_by_storeys(model: Model, solution: Solution, above: Building, solve
         return np.zeros((len(above.base), 0))
     # that of one contact serves all combinations: the ground is nearly the same
     held = solution.contact.state.tobytes()
-    known = _FLEXIBILITY.get(solution.system.problem.mesh.nodes, above, dict)
+    known = _flexibilities(solution, above)
     if held not in known:
         known[held] = _flexibility(solution, above, solver)
     T, K, q = known[held], above.stiffness, above.motions(solution.U)
@@ -62,8 +62,10 @@ def _changes_by_storeys(model: Model, solution: Solution, above: Building, solve
     return np.column_stack(found)
 
 
-#: T by the states of bearings, for the building on a mesh.
-_FLEXIBILITY: Memo[dict[bytes, Array]] = Memo()
+@made_once_by(lambda solution, above: (solution.system.problem.mesh.nodes, above))
+def _flexibilities(solution: Solution, above: Building) -> dict[bytes, Array]:  # noqa: ARG001
+    """Return T by the states of bearings, as they are added, for the building on a mesh."""
+    return {}
 
 
 def _flexibility(solution: Solution, above: Building, solver: str) -> Array:

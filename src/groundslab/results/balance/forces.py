@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from operator import attrgetter
 
 import numpy as np
 
-from groundslab.arrays import Array, Integers, Memo
+from groundslab.arrays import Array, Integers, made_once_by
 from groundslab.fem.assembly import scatter
 from groundslab.fem.bearings import SURFACE
 from groundslab.fem.foundation import EDGE_MASS, EDGE_SLOPE, Column
@@ -205,15 +206,8 @@ def pressing_forces(solution: Solution) -> Array:
     return np.column_stack([on_w, on_w])
 
 
-_RESISTANCE: Memo[Resistance] = Memo()
-
-
+@made_once_by(attrgetter("U", "system"))
 def resistance(solution: Solution) -> Resistance:
-    """Return the forces with which plate, beams, building, ground and joints resist."""
-    return _RESISTANCE.get(solution.U, solution.system, lambda: _resist(solution))
-
-
-def _resist(solution: Solution) -> Resistance:
     """Return the forces with which plate, beams, building, ground and joints resist."""
     s, U, column = solution.system, solution.U, solution.column
     ground = ground_forces(s, U, column) if solution.pressed is None else pressing_forces(solution)

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from groundslab.accuracy.mesh_statistics import POOR, mesh_statistics
-from groundslab.arrays import Memo
+from groundslab.arrays import made_once
 from groundslab.model.remarks.singular_places import near_singular, notes_on_singular_places
 from groundslab.results.contact_zone import CELLS_NOTE, EDGE_NOTE, goes_below_zero, has_line_force, require_finite
 from groundslab.results.fields import PLATE_FIELDS, extreme, places_of
@@ -85,14 +85,11 @@ def description(results: CombinationResult) -> list[SummarySection]:
             *(in_units(section, units) for section in cut)]  # fmt: skip
 
 
-#: Figures of results, which are asked for more than once.
-_FIGURES: Memo[list[SummarySection]] = Memo()
-
-
+@made_once
 def figures(results: CombinationResult) -> list[SummarySection]:
     """Return the sections on the results: settlement, contact, support and section forces, with their errors."""
     units = results.model.units
-    return _FIGURES.get(results, None, lambda: [in_units(section, units) for section in _figures(results)])
+    return [in_units(section, units) for section in _figures(results)]
 
 
 def _figures(results: CombinationResult) -> list[SummarySection]:

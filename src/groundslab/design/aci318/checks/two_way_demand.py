@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from functools import partial
 
-from groundslab.arrays import Array, Memo, made_once
+from groundslab.arrays import Array, made_once, made_once_by
 from groundslab.design.aci318 import punching as aci318
 from groundslab.design.aci318.case_materials import materials
 from groundslab.design.aci318.materials import PHI_SHEAR
@@ -20,6 +20,7 @@ from groundslab.design.demands.zones.thicker_zones import zone_forces
 from groundslab.design.demands.zones.thinner_slab import counted, depth_share, thinner_parts
 from groundslab.errors import InputError
 from groundslab.model.design.reinforcement import Reinforcement
+from groundslab.model.model import Model
 from groundslab.results.results import CombinationResult, Results
 
 #: Why there is no critical section.
@@ -67,8 +68,10 @@ class CriticalSection:
     loads: PerimeterLoads
 
 
-#: Those of the columns and piles of a model, or why there is none, by its mesh.
-_SECTIONS: Memo[Places[CriticalSection | str]] = Memo()
+@made_once_by(lambda results, model: (results.plate.nodes, model))
+def _sections(results: CombinationResult, model: Model) -> Places[CriticalSection | str]:  # noqa: ARG001
+    """Return those of the columns and piles of a model, or why there is none, as they are added."""
+    return {}
 
 
 @made_once
@@ -104,7 +107,7 @@ def _two_way(
     def used(demand: TwoWay) -> float:
         return demand.v_u / strength(demand, steel)
 
-    for punching, section, pushing in perimeter_loads.pushing_forces(results, forces, model, (_SECTIONS, make)):
+    for punching, section, pushing in perimeter_loads.pushing_forces(results, forces, model, (_sections, make)):
         if isinstance(section, str):
             missing[punching.name] = section
             continue

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from operator import attrgetter
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from groundslab.arrays import Array, Integers, Memo
+from groundslab.arrays import Array, Integers, made_once_by
 from groundslab.design.demands.perimeters import SIDE_CHORDS
 from groundslab.fem.mesh import SIDES, sides_on_boundary
 from groundslab.fem.shape_functions import gauss_line, lagrange
@@ -31,13 +32,9 @@ class _Edge(NamedTuple):
     rounding: float  # places closer than this are one [m]
 
 
-#: Those of plates, by their nodes.
-_EDGES: Memo[_Edge] = Memo()
-
-
 def edge_inside(plate: PlateResult, part: Polygon) -> tuple[Integers, Array]:
     """Return the nodes (e,) on the plate's edge inside a polygon, and int N ds (e,) [m] over the edge there."""
-    edge = _EDGES.get(plate.nodes, plate.elements, lambda: _edge(plate))
+    edge = _edge(plate)
     x0, y0, x1, y1 = part.bounds
     (low_x, low_y), (high_x, high_y) = edge.low.T, edge.high.T
     sides = edge.sides[(low_x <= x1) & (low_y <= y1) & (high_x >= x0) & (high_y >= y0)]
@@ -50,6 +47,7 @@ def edge_inside(plate: PlateResult, part: Polygon) -> tuple[Integers, Array]:
     return nodes, total[nodes]
 
 
+@made_once_by(attrgetter("nodes", "elements"))
 def _edge(plate: PlateResult) -> _Edge:
     sides = _edge_sides(plate)
     places = plate.nodes[sides]

@@ -16,7 +16,7 @@ from typing import Literal
 
 import numpy as np
 
-from groundslab.arrays import Array, Memo, made_once
+from groundslab.arrays import Array, made_once, made_once_by
 from groundslab.design.basis.combinations import ultimate_results
 from groundslab.design.basis.demand_errors import error_of
 from groundslab.design.by_plate import plate_under
@@ -77,7 +77,7 @@ def _demands(combined: Results, forces: tuple[PunchingForce, ...], zones: tuple[
     if steel is None:
         return Demands(governing, missing, {punching.name: punching.place for punching in forces}, reach)
     make = partial(_site, steel=steel, zones=zones)
-    for punching, site, pushing in perimeter_loads.pushing_forces(results, forces, model, (_SITES, make)):
+    for punching, site, pushing in perimeter_loads.pushing_forces(results, forces, model, (_sites, make)):
         of_combinations, why = _largest(pushing, site)
         if why and not (punching.at_zone and any(demand.around for demand in of_combinations)):
             missing[punching.name] = why
@@ -178,8 +178,11 @@ CUT = "its control perimeters cut the slab from edge to edge, which is one-way s
 #: Why a perimeter is none of a column on a thicker zone.
 BEYOND = "the perimeters around its zone are judged instead"
 
-#: Those of the columns and piles of a model, by its mesh.
-_SITES: Memo[Places[_Site]] = Memo()
+
+@made_once_by(lambda results, model: (results.plate.nodes, model))
+def _sites(results: CombinationResult, model: Model) -> Places[_Site]:  # noqa: ARG001
+    """Return those of the columns and piles of a model, as they are added."""
+    return {}
 
 
 def _site(

@@ -8,7 +8,7 @@ from functools import partial
 
 import numpy as np
 
-from groundslab.arrays import Memo, made_once
+from groundslab.arrays import made_once, made_once_by
 from groundslab.design.basis.combinations import ultimate_results
 from groundslab.design.basis.demand_errors import error_of, scaled
 from groundslab.design.by_plate import plate_under
@@ -21,6 +21,7 @@ from groundslab.design.en1992_2023.case_materials import materials
 from groundslab.design.en1992_2023.checks.critical_sections import AVERAGED, CriticalSection, critical_section
 from groundslab.design.en1992_2023.shear import minimum_resistance
 from groundslab.model.design.reinforcement import Reinforcement
+from groundslab.model.model import Model
 from groundslab.results.results import CombinationResult, Results
 
 #: Another column nearer to the perimeter than so many d_v whose force is so large a share of V_Ed asks for the forces
@@ -80,8 +81,11 @@ class Punching:
         return max(by_force, self.of_analysis or 0.0) if self.concentrated else by_force
 
 
-#: Those of the columns and piles of a model, or why there is none, by its mesh.
-_SECTIONS: Memo[Places[CriticalSection | str]] = Memo()
+@made_once_by(lambda results, model: (results.plate.nodes, model))
+def _sections(results: CombinationResult, model: Model) -> Places[CriticalSection | str]:  # noqa: ARG001
+    """Return those of the columns and piles of a model, or why there is none, as they are added."""
+    return {}
+
 
 #: Demands by combination and name, and why some have none, by name.
 Demands = tuple[dict[tuple[str, str], Punching], Mapping[str, str]]
@@ -119,7 +123,7 @@ def _demands(combined: Results, forces: tuple[PunchingForce, ...], others: tuple
         return found, missing
     results = ultimate_results(combined)
     make = partial(critical_section, steel=steel)
-    for punching, section, pushing in perimeter_loads.pushing_forces(results, forces, model, (_SECTIONS, make)):
+    for punching, section, pushing in perimeter_loads.pushing_forces(results, forces, model, (_sections, make)):
         if isinstance(section, str):
             missing[punching.name] = section
             continue
