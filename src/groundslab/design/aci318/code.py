@@ -23,6 +23,7 @@ from groundslab.design.basis.design_code import (
     FlangeRule,
     PunchingRule,
     ShearRule,
+    ShearWords,
     WallRule,
 )
 from groundslab.design.bending import BendingRule
@@ -43,8 +44,10 @@ ACI318 = DesignCode(
     bending=_bending,
     bars_by_steps=bending_steps.steps,
     shear=ShearRule(
+        words=ShearWords("v_u", "phi v_c", "22.5.5.1", "22.5.8.5.3", "22.5.1.2", "22.5.5.1"),
         resistance=one_way_shear.resistance,
-        check=one_way_shear.check,
+        links=one_way_shear.links,
+        steps=one_way_shear.steps,
         most_ratio=MOST_BARS,
         least_share=bending.LEAST,
         reach=one_way_shear.reach,

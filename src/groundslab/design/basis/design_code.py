@@ -48,36 +48,57 @@ class Clauses:
     held_bars: str  # of links that hold bars in compression
 
 
+class ShearWords(NamedTuple):
+    """What checks of one-way shear call the force and what needs no links, and where the code rules what."""
+
+    force: str
+    without_links: str
+    clause: str  # of what needs no links
+    links: str
+    struts: str
+    cited: str  # by the check
+    at_support: str = ""  # of struts up to what presses there
+    thin: str = ""  # of the least thickness of slabs with links
+
+
 @dataclass(frozen=True, slots=True)
 class ShearRule:
     """One-way shear.
 
     Attributes
     ----------
+    words : ShearWords
+        Symbols and clauses.
     resistance : callable
         Of materials, a limit state, depths d (n,) [m] and ratios of bars (n,): what needs no links (n,) [N/m].
-    check : callable
-        Of materials and the demand at the governing place: its check.
+    links : callable
+        Of materials and a demand: links per area of the plan, at least the least ones [m2/m2]; inf where struts fail.
+    steps : callable
+        Of materials and a demand: its calculation.
     most_ratio : float
         The largest ratio of bars that counts.
     least_share : float
         Bars that lie in each layer in any case, over the thickness.
+    least_thickness : float
+        Of slabs with links [m].
+    struts_at_faces : bool
+        Whether struts are checked up to what presses there, too.
     reach : callable or None
         Of all combinations: how far from the face of columns and piles punching is checked instead [m]; 2 d where it
         does not say.
-    struts_fail : callable or None
-        Of materials, a limit state, a force [N/m] and a depth [m]: whether struts fail, which is checked up to what
-        presses there, too.
     cuts : callable or None
         Of a combination's results and materials: cuts beside columns over which means are checked, too.
     """
 
+    words: ShearWords
     resistance: Callable[[Reinforcement, str, Array, Array], Array]
-    check: Callable[[Reinforcement, ShearDemand], DesignCheck]
+    links: Callable[[Reinforcement, ShearDemand], float]
+    steps: Callable[[Reinforcement, ShearDemand], Iterator[Step]]
     most_ratio: float
     least_share: float = 0.0
+    least_thickness: float = 0.0
+    struts_at_faces: bool = False
     reach: Callable[[Results], Reach] | None = None
-    struts_fail: Callable[[Reinforcement, str, float, float], bool] | None = None
     cuts: Callable[[CombinationResult, Reinforcement], Iterator[Cut]] | None = None
 
 

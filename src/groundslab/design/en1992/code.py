@@ -9,6 +9,7 @@ from groundslab.design.basis.design_code import (
     FlangeRule,
     PunchingRule,
     ShearRule,
+    ShearWords,
     WallRule,
 )
 from groundslab.design.basis.wide_beam import cuts_from_edge_to_edge
@@ -41,12 +42,15 @@ EN1992 = DesignCode(
     bending=_bending,
     bars_by_steps=bending_steps.steps,
     shear=ShearRule(
+        words=ShearWords("v_Ed", "v_Rd,c", "6.2.2", "6.2.3", "6.2.3(3)", "6.2.2, 6.2.3", "6.2.1(8)", "9.3.2(1)"),
         resistance=one_way_shear.resistance,
-        check=one_way_shear.check,
+        links=one_way_shear.links,
+        steps=one_way_shear.steps,
         most_ratio=shear.MOST_BARS,
         reach=one_way_shear.reach,
         cuts=cuts_from_edge_to_edge,
-        struts_fail=one_way_shear.struts_fail,
+        least_thickness=one_way_shear.LEAST_WITH_LINKS,
+        struts_at_faces=True,
     ),
     punching=PunchingRule(
         at_columns=punching_columns.at_columns,

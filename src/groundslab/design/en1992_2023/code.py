@@ -9,6 +9,7 @@ from groundslab.design.basis.design_code import (
     FlangeRule,
     PunchingRule,
     ShearRule,
+    ShearWords,
     WallRule,
 )
 from groundslab.design.basis.wide_beam import cuts_from_edge_to_edge
@@ -39,12 +40,17 @@ EN1992_2023 = DesignCode(
     bending=_bending,
     bars_by_steps=bending_steps.steps,
     shear=ShearRule(
+        words=ShearWords(
+            "v_Ed", "v_Rd,c = tau_Rd,c z", "8.2.2", "8.2.3", "8.2.3, 8.44", "8.2.2, 8.2.3", "8.2.3", "12.4.2(2)"
+        ),
         resistance=one_way_shear.resistance,
-        check=one_way_shear.check,
+        links=one_way_shear.links,
+        steps=one_way_shear.steps,
         most_ratio=shear.MOST_BARS,
         reach=one_way_shear.reach,
         cuts=cuts_from_edge_to_edge,
-        struts_fail=one_way_shear.struts_fail,
+        least_thickness=punching.LEAST_WITH_LINKS,
+        struts_at_faces=True,
     ),
     punching=PunchingRule(
         at_columns=punching_columns.at_columns,

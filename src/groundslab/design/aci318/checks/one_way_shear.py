@@ -1,4 +1,4 @@
-"""One-way shear by ACI 318-19 22.5: what needs no links, and the check of the governing place."""
+"""One-way shear by ACI 318-19 22.5: what needs no links, the links, and the calculation."""
 
 from __future__ import annotations
 
@@ -13,7 +13,6 @@ from groundslab.design.aci318.checks.concrete_steps import concrete_in_shear
 from groundslab.design.aci318.checks.two_way_demand import pile_two_way, zone_two_way
 from groundslab.design.aci318.materials import PHI_SHEAR
 from groundslab.design.basis.calculation import MEGA, Step
-from groundslab.design.basis.check import DesignCheck, Status
 from groundslab.design.basis.shear_demand import ShearDemand
 from groundslab.design.demands.perimeter_loads import Reach, punching_piles, reach_without
 from groundslab.design.demands.zones.thicker_zones import zone_forces
@@ -36,30 +35,12 @@ def resistance(steel: Reinforcement, _: str, d: Array, rho: Array) -> Array:
     return PHI_SHEAR * shear.without_links(materials(steel)[0], d, rho)
 
 
-def check(steel: Reinforcement, demand: ShearDemand) -> DesignCheck:
-    """Return the check at the place that governs."""
-    which = "provided" if steel.laid else "needed for bending"
-    words = Message(
-        "v_u {v:.4g kN/m} at {where} is {used:.3g} times phi v_c {without_links:.4g kN/m} with the bars "
-        "{which} (22.5.5.1)",
-        v=demand.v / 1e3,
-        where=demand.where,
-        used=demand.used,
-        without_links=demand.without_links / 1e3,
-        which=which,
-    )
-    status: Status = "no failure found"
-    if demand.used > 1:
-        area = shear.links(demand.v, demand.d, *materials(steel))
-        status = "fails" if np.isinf(area) else "attention"
-        words += (
-            "; links do not suffice (22.5.1.2)" if np.isinf(area)
-            else Message("; links of {area:.3g cm2/m2} are needed there (22.5.8.5.3)", area=area * 1e4)
-        )  # fmt: skip
-    return demand.check(status, words, "ACI 318-19 22.5.5.1", _steps(steel, demand))
+def links(steel: Reinforcement, demand: ShearDemand) -> float:
+    """Return the links per area of the plan that a demand needs [m2/m2]; inf where none suffice."""
+    return shear.links(demand.v, demand.d, *materials(steel))
 
 
-def _steps(steel: Reinforcement, demand: ShearDemand) -> Iterator[Step]:
+def steps(steel: Reinforcement, demand: ShearDemand) -> Iterator[Step]:
     """Yield the calculation at a place."""
     concrete, bars = materials(steel)
     of_cut = ", mean over the cut" if demand.across else ""

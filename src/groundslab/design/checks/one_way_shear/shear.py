@@ -25,10 +25,10 @@ import numpy as np
 
 from groundslab.accuracy.values import reduction_of
 from groundslab.arrays import Array
-from groundslab.design.basis.check import NO_PLACE, DesignCheck, not_judged
+from groundslab.design.basis.check import NO_PLACE, DesignCheck, Status, not_judged
 from groundslab.design.basis.combinations import ultimate_results
 from groundslab.design.basis.demand_errors import error_of_greatest, scaled
-from groundslab.design.basis.design_code import ShearRule, no_rule
+from groundslab.design.basis.design_code import DesignCode, ShearRule, no_rule
 from groundslab.design.basis.shear_demand import AlongForce, ShearDemand
 from groundslab.design.basis.wide_beam import Cut, same
 from groundslab.design.checks.one_way_shear.faces import bearers
@@ -39,6 +39,7 @@ from groundslab.design.demands.edge_strip import plates_that_count, spread_edge_
 from groundslab.design.demands.perimeter_loads import punching_columns, punching_piles
 from groundslab.design.demands.principal_shear import principal_shear, ratio_along
 from groundslab.design.demands.zones.thicker_zones import zone_forces
+from groundslab.messages import Clause, Message, Name
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.fields import place_of
 from groundslab.results.mesh_results import PlateResult
@@ -65,10 +66,42 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
     beside = [] if rule.cuts is None else list(rule.cuts(results[0], steel))
     demands += [demand for result in results for demand in _across(result, places, steel, rule, beside)]
     if demands:
-        yield rule.check(steel, max(demands, key=lambda demand: demand.used))
+        yield _check(steel, code, rule, max(demands, key=lambda demand: demand.used))
     else:
         words = "no place of the slab is far enough from what bears on it"
         yield not_judged("one-way shear", NO_PLACE, words)
+
+
+def _check(steel: Reinforcement, code: DesignCode, rule: ShearRule, demand: ShearDemand) -> DesignCheck:
+    """Return the check at the place that governs."""
+    said = rule.words
+    words: str = Message(
+        "{force} {v:.4g kN/m} at {where} is {used:.3g} times {resistance} {without_links:.4g kN/m} with the bars "
+        "{which} ({clause})",
+        force=Name(said.force),
+        v=demand.v / 1e3,
+        where=demand.where,
+        used=demand.used,
+        resistance=Name(said.without_links),
+        without_links=demand.without_links / 1e3,
+        which="provided" if steel.laid else "needed for bending",
+        clause=Clause(said.clause),
+    )
+    status: Status = "no failure found"
+    if demand.used > 1:
+        area, thin = rule.links(steel, demand), demand.thickness < rule.least_thickness
+        status = "fails" if np.isinf(area) or thin else "attention"
+        if demand.at_support:
+            words += Message("; links do not suffice at the load there ({clause})", clause=Clause(said.at_support))
+        elif np.isinf(area):
+            words += Message("; links do not suffice ({clause})", clause=Clause(said.struts))
+        elif thin:
+            words += Message("; too thin for links ({clause})", clause=Clause(said.thin))
+        else:
+            words += Message(
+                "; links of {area:.3g cm2/m2} are needed there ({clause})", area=area * 1e4, clause=Clause(said.links)
+            )
+    return demand.check(status, words, f"{code.name} {said.cited}", rule.steps(steel, demand))
 
 
 def _of_combination(
@@ -79,9 +112,9 @@ def _of_combination(
     for plate in plates_that_count(results, relieves=steel.line_force_relieves):
         for beyond in sorted_places.beyond:
             yield from _worst(results, plate, beyond, steel, rule)
-        if rule.struts_fail is not None:
+        if rule.struts_at_faces:
             for demand in _worst(results, plate, sorted_places.within, steel, rule):
-                if rule.struts_fail(steel, results.limit_state, demand.v, demand.d):
+                if np.isinf(rule.links(steel, demand)):
                     yield replace(demand, at_support=True)
 
 

@@ -1,4 +1,4 @@
-"""One-way shear by EN 1992-1-1 6.2: what needs no links, where struts fail, and the check of the governing place."""
+"""One-way shear by EN 1992-1-1 6.2: what needs no links, the links, and the calculation."""
 
 from __future__ import annotations
 
@@ -8,13 +8,11 @@ import numpy as np
 
 from groundslab.arrays import Array
 from groundslab.design.basis.calculation import MEGA, Step
-from groundslab.design.basis.check import DesignCheck, Status
 from groundslab.design.basis.shear_demand import ShearDemand
 from groundslab.design.demands.perimeter_loads import Reach
 from groundslab.design.en1992 import shear
 from groundslab.design.en1992.case_materials import largest_cover, materials
 from groundslab.design.en1992.checks.governing_perimeters import demands, pile_demands, zone_demands
-from groundslab.messages import Message
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.results import Results
 
@@ -32,41 +30,14 @@ def resistance(steel: Reinforcement, limit_state: str, d: Array, rho: Array) -> 
     return shear.resistance_without_links(materials(steel, limit_state)[0], d, rho)
 
 
-def struts_fail(steel: Reinforcement, limit_state: str, v: float, d: float) -> bool:
-    """Return whether no links help under a shear force v [N/m] at an effective depth d [m]."""
-    concrete, bars = materials(steel, limit_state)
-    return bool(shear.required_links(np.array([v]), np.array([d]), concrete, bars, largest_cover(steel)).fails[0])
+def links(steel: Reinforcement, demand: ShearDemand) -> float:
+    """Return the links per area of the plan that a demand needs, the least ones at least [m2/m2]; inf: struts fail."""
+    concrete, bars = materials(steel, demand.results.limit_state)
+    needed = shear.required_links(np.array([demand.v]), np.array([demand.d]), concrete, bars, largest_cover(steel))
+    return max(float(needed.area[0]), shear.minimum_links(concrete, bars))
 
 
-def check(steel: Reinforcement, demand: ShearDemand) -> DesignCheck:
-    """Return the check at the place that governs."""
-    which = "provided" if steel.laid else "needed for bending"
-    words = Message(
-        "v_Ed {v:.4g kN/m} at {where} is {used:.3g} times v_Rd,c {without_links:.4g kN/m} with the bars "
-        "{which} (6.2.2)",
-        v=demand.v / 1e3,
-        where=demand.where,
-        used=demand.used,
-        without_links=demand.without_links / 1e3,
-        which=which,
-    )
-    status: Status = "no failure found"
-    if demand.used > 1:
-        concrete, bars = materials(steel, demand.results.limit_state)
-        links = shear.required_links(np.array([demand.v]), np.array([demand.d]), concrete, bars, largest_cover(steel))
-        area = max(float(links.area[0]), shear.minimum_links(concrete, bars))
-        thin = demand.thickness < LEAST_WITH_LINKS
-        status = "fails" if np.isinf(area) or thin else "attention"
-        words += (
-            "; links do not suffice at the load there (6.2.1(8))" if demand.at_support
-            else "; links do not suffice (6.2.3(3))" if np.isinf(area)
-            else "; too thin for links (9.3.2(1))" if thin
-            else Message("; links of {area:.3g cm2/m2} are needed there (6.2.3)", area=area * 1e4)
-        )  # fmt: skip
-    return demand.check(status, words, "EN 1992-1-1 6.2.2, 6.2.3", _steps(steel, demand))
-
-
-def _steps(steel: Reinforcement, demand: ShearDemand) -> Iterator[Step]:
+def steps(steel: Reinforcement, demand: ShearDemand) -> Iterator[Step]:
     """Yield the calculation at a place."""
     concrete, bars = materials(steel, demand.results.limit_state)
     d = np.array([demand.d])

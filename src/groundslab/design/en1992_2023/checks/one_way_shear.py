@@ -1,4 +1,4 @@
-"""One-way shear by EN 1992-1-1:2023 8.2: what needs no links, where struts fail, the check of the governing place."""
+"""One-way shear by EN 1992-1-1:2023 8.2: what needs no links, the links, and the calculation."""
 
 from __future__ import annotations
 
@@ -8,17 +8,14 @@ import numpy as np
 
 from groundslab.arrays import Array
 from groundslab.design.basis.calculation import MEGA, Step
-from groundslab.design.basis.check import DesignCheck, Status
 from groundslab.design.basis.shear_demand import ShearDemand
 from groundslab.design.demands.perimeter_loads import Reach, punching_columns, punching_piles, reach_without
 from groundslab.design.demands.zones.thicker_zones import zone_forces
 from groundslab.design.en1992_2023 import shear
 from groundslab.design.en1992_2023.case_materials import flattest, materials
 from groundslab.design.en1992_2023.checks.concrete_steps import in_shear
-from groundslab.design.en1992_2023.checks.punching import LEAST_WITH_LINKS
 from groundslab.design.en1992_2023.checks.punching_demand import column_demands, pile_demands, zone_demands
 from groundslab.design.eurocode2.struts import LEVER
-from groundslab.messages import Message
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.results import Results
 
@@ -38,43 +35,16 @@ def resistance(steel: Reinforcement, limit_state: str, d: Array, rho: Array) -> 
     return shear.resistance_without_links(*materials(steel, limit_state), d, rho)
 
 
-def struts_fail(steel: Reinforcement, limit_state: str, v: float, d: float) -> bool:
-    """Return whether no links help under a shear force v [N/m] at an effective depth d [m]."""
-    concrete, bars = materials(steel, limit_state)
-    links = shear.required_links(np.array([v]), np.array([d]), concrete, bars, flattest(steel, concrete))
-    return bool(links.fails[0])
-
-
-def check(steel: Reinforcement, demand: ShearDemand) -> DesignCheck:
-    """Return the check at the place that governs."""
-    which = "provided" if steel.laid else "needed for bending"
-    words = Message(
-        "v_Ed {v:.4g kN/m} at {where} is {used:.3g} times v_Rd,c = tau_Rd,c z {without_links:.4g kN/m} "
-        "with the bars {which} (8.2.2)",
-        v=demand.v / 1e3,
-        where=demand.where,
-        used=demand.used,
-        without_links=demand.without_links / 1e3,
-        which=which,
+def links(steel: Reinforcement, demand: ShearDemand) -> float:
+    """Return the links per area of the plan that a demand needs, the least ones at least [m2/m2]; inf: struts fail."""
+    concrete, bars = materials(steel, demand.results.limit_state)
+    args = np.array([demand.v]), np.array([demand.d]), concrete, bars
+    return max(
+        float(shear.required_links(*args, flattest(steel, concrete)).area[0]), shear.minimum_links(concrete, bars)
     )
-    status: Status = "no failure found"
-    if demand.used > 1:
-        concrete, bars = materials(steel, demand.results.limit_state)
-        args = np.array([demand.v]), np.array([demand.d]), concrete, bars
-        links = shear.required_links(*args, flattest(steel, concrete))
-        area = max(float(links.area[0]), shear.minimum_links(concrete, bars))
-        thin = demand.thickness < LEAST_WITH_LINKS
-        status = "fails" if np.isinf(area) or thin else "attention"
-        words += (
-            "; links do not suffice at the load there (8.2.3)" if demand.at_support
-            else "; links do not suffice (8.2.3, 8.44)" if np.isinf(area)
-            else "; too thin for links (12.4.2(2))" if thin
-            else Message("; links of {area:.3g cm2/m2} are needed there (8.2.3)", area=area * 1e4)
-        )  # fmt: skip
-    return demand.check(status, words, "EN 1992-1-1:2023 8.2.2, 8.2.3", _steps(steel, demand))
 
 
-def _steps(steel: Reinforcement, demand: ShearDemand) -> Iterator[Step]:
+def steps(steel: Reinforcement, demand: ShearDemand) -> Iterator[Step]:
     """Yield the calculation at a place."""
     concrete, bars = materials(steel, demand.results.limit_state)
     yield from demand.force_steps("v_Ed", "8.2.1(5), 8.21")
