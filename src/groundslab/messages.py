@@ -10,16 +10,17 @@ import functools
 import math
 import string
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from typing import Any, Self
+from typing import TYPE_CHECKING, Any, Self, TypeAlias
 
-import numpy as np
-
-from groundslab.arrays import Array
 from groundslab.unit_systems import System, quantities_in, unit_in
 from groundslab.units import format_coordinate, format_drawn, format_drawn_coordinate
 
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
 #: What fills a hole: a text, a number or a place.
-Value = str | float | Sequence[float] | Array
+Value: TypeAlias = "str | float | Sequence[float] | NDArray[np.float64]"
 #: What stands in a hole of a template, and returns its text; the second is what follows the hole's colon.
 Writer = Callable[[Any, str], str]
 #: Formats that Python has not: of coordinates, and of coordinates and numbers on figures.
@@ -178,16 +179,30 @@ def words_in(text: str, units: System, names: Iterable[str] = ()) -> str:
 
 
 def as_values(text: str) -> Any:
-    """Return a text as data for JSON: of a message its template and values, of texts in a row these with their mark."""
+    """Return a text as data for JSON: of a message its template and values, of texts in a row these with their mark.
+
+    Numbers that are not finite, which JSON does not know, are words.
+    """
     if isinstance(text, Listed):
         return {"mark": text.mark, "texts": [as_values(part) for part in text.parts]}
     if not isinstance(text, Message):
         return {"name": str(text)} if isinstance(text, Name) else str(text)
+
+    def number(value: Any) -> Any:
+        plain = value.item() if hasattr(value, "item") else value
+        return plain if math.isfinite(plain) else str(plain)
+
     values = {
-        name: as_values(value) if isinstance(value, str) else np.asarray(value).tolist()
+        name: as_values(value) if isinstance(value, str)
+        else [*map(number, value)] if _is_place(value) else number(value)
         for name, value in text.values.items()
-    }
+    }  # fmt: skip
     return {"template": text.template, "values": values}
+
+
+def _is_place(value: Any) -> bool:
+    """Return whether a value has several numbers."""
+    return isinstance(value, tuple | list) or bool(getattr(value, "ndim", 0))
 
 
 def fill(text: str, template: str, values: Mapping[str, Any], write: Writer) -> str:
@@ -226,7 +241,7 @@ def written(value: Any, spec: str, units: System = "SI") -> str:
         scaled = value if factor == 1.0 else value * factor
         return FORMATS[form](scaled) if form in FORMATS else format(scaled, form)
 
-    text = f"({', '.join(map(number, value))})" if np.ndim(value) else number(value)
+    text = f"({', '.join(map(number, value))})" if _is_place(value) else number(value)
     return f"{text} {shown}" if shown and not unit.startswith("(") else text
 
 

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import copy
+import json
+import math
 import pickle
 
 import numpy as np
 import pytest
 
 from groundslab.languages import LANGUAGES, Language, translator
-from groundslab.messages import Clause, Message, Name, joined, key_of, quantity, quoted, words_in
+from groundslab.messages import Clause, Message, Name, as_values, joined, key_of, quantity, quoted, words_in
 
 #: Names of a case that look like something else.
 NAMES = [
@@ -90,6 +92,21 @@ def test_numbers_are_those_of_the_language(language: Language) -> None:
     assert translate(Message("({clause})", clause=Clause("6.2"))) == "(6.2)"
     assert translate(Clause("Table 8.2")).endswith(" 8.2")
     assert (translate(Clause("Table 8.2")) == "Table 8.2") == (translate("Table") == "Table")
+
+
+def test_json_has_template_and_values() -> None:
+    """Of names that they are names; of numbers that JSON does not know words."""
+    message = Message("{name}: {w:.3g mm} at {place:.2f m} {more}", name=Name("C1"), w=np.float64(2.5),
+                      place=np.array([1.0, 2.0]), more=joined(["a", Message("{n}", n=math.inf)], "; "))  # fmt: skip
+    assert json.loads(json.dumps(as_values(message), allow_nan=False)) == {
+        "template": "{name}: {w:.3g mm} at {place:.2f m} {more}",
+        "values": {
+            "name": {"name": "C1"},
+            "w": 2.5,
+            "place": [1.0, 2.0],
+            "more": {"mark": "; ", "texts": ["a", {"template": "{n}", "values": {"n": "inf"}}]},
+        },
+    }
 
 
 def test_quoted_names_are_one_name() -> None:
