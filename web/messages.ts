@@ -37,6 +37,11 @@ const SHOWING: Readonly<Record<string, number>> = {
   angle: 1,
   makeIconButton: 1,
 };
+/** Functions that messages with named holes are said by: which of their arguments these are. */
+const SAYING = new Map<string, readonly [number, number]>([
+  ["say", [0, 1]],
+  ["counted", [1, 3]],
+]);
 /** Files without messages: pictures with letters, values that new items begin with, selectors. */
 const SILENT =
   /renderer\/|help\/(drawings|figure)\.ts|model\/defaults\.ts|shared\/(language|palette|theme)\.ts|controls\/focus\.ts/;
@@ -102,6 +107,12 @@ export function messagesIn(source: string, name = "source.ts"): string[] {
 function walk(node: unknown, isRead: boolean, found: string[]): void {
   if (Array.isArray(node)) return node.forEach((each) => void walk(each, isRead, found));
   if (!isNode(node) || /^(TS(?!As|NonNull|Satisfies)|Import|ExportAll)/.test(node.type)) return;
+  const templates = SAYING.get(node.type === "CallExpression" ? String((node.callee as Node).name) : "");
+  if (templates) {
+    const all = node.arguments as Node[];
+    found.push(...all.slice(...templates).flatMap((each) => stringsOf(each) ?? choicesOf(each) ?? []));
+    return walk(all.slice(templates[1]), false, found);
+  }
   const strings = stringsOf(node);
   if (strings) found.push(...strings.filter((each) => isMessage(each, isRead)).map((each) => each.trim()));
   for (const [child, isChildRead] of childrenOf(node, isRead)) walk(child, isChildRead, found);

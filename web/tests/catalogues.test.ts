@@ -78,7 +78,7 @@ describe("the catalogues", () => {
   });
 
   it.each(catalogues)("have the gaps of every message: $language", ({ messages: known }) => {
-    const gaps = (text: string) => text.match(/\{\d*\}/g)?.length ?? 0;
+    const gaps = (text: string) => text.match(/\{\w*\}/g)?.length ?? 0;
     expect([...known].filter(([message, translation]) => gaps(message) !== gaps(translation))).toEqual([]);
   });
 });
@@ -91,6 +91,7 @@ describe("the messages of a source", () => {
       button("Save", "", () => {}, "not read");
       setText(element, \`\${count} \${count === 1 ? "row" : "rows"} of \${name}\`);
       const words: "not read" = element.querySelector("not read")["not read"];
+      say(isNew ? "add {what}" : "change {what}", { what: counted(n, "{count} pile", "{count} piles", { n: "a" }) });
       throw new Impossible(\`\${legs} legs are too many\`);
     `;
     expect(messagesIn(source)).toEqual([
@@ -99,6 +100,10 @@ describe("the messages of a source", () => {
       "Save",
       "{} row of {}",
       "{} rows of {}",
+      "add {what}",
+      "change {what}",
+      "{count} pile",
+      "{count} piles",
       "{} legs are too many",
     ]);
   });

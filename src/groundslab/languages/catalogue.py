@@ -322,7 +322,10 @@ def translator(language: Language, names: Iterable[str] = ()) -> Translator:
 
 def page_messages(language: Language, wanted: Container[str] | None = None) -> dict[str, Any]:
     """Return what a page needs to translate messages: all, or those wanted, and the marks between those of a list."""
-    known = dict(_with_sentences(messages(language))) if language != "en" else {}
+    read = messages(language) if language != "en" else {}
+    known = dict(_with_sentences(read)) | {
+        key.strip(): value.strip() for key, value in read.items() if _NAMED.search(key)
+    }
     chosen = {key: value for key, value in known.items() if wanted is None or key in wanted}
     marks = {mark: mark for mark in PARTED} | dict(WORDS_BETWEEN.get(language, {}))
     return {"language": language, "messages": chosen, "marks": marks}

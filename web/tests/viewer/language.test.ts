@@ -2,9 +2,18 @@
 // Messages in the language of the page: the examples that the program's own catalogues are tested by.
 import { afterEach, describe, expect, it } from "vitest";
 import examples from "../../../tests/unit/languages/translations.json";
-import { Catalogue } from "../../src/viewer/shared/catalogue";
-import { button, fillOptions, h, setText, verbatim } from "../../src/viewer/shared/dom";
-import { chosenLanguage, keepNames, setMessages, storeLanguage, translate } from "../../src/viewer/shared/language";
+import { Catalogue, Verbatim } from "../../src/viewer/shared/catalogue";
+import { button, fillOptions, h, setText } from "../../src/viewer/shared/dom";
+import {
+  chosenLanguage,
+  counted,
+  keepNames,
+  say,
+  setMessages,
+  storeLanguage,
+  translate,
+  verbatim,
+} from "../../src/viewer/shared/language";
 
 const { language, messages, names, cases } = examples;
 const marks = { "; ": "; ", ": ": ": ", ", ": ", ", " / ": " / ", " (": " (", " and ": " und ", " or ": " oder " };
@@ -26,6 +35,16 @@ describe("a catalogue", () => {
 
   it("knows what a symbol means without the symbol, too", () => {
     expect(catalogue.translate("shear per length")).toBe("Schub je Länge");
+  });
+
+  it("says a message by its template: values are translated, names are not, and what is said stays", () => {
+    const count = "{count} slabs of {name}";
+    const own = new Catalogue({ ...german, messages: { ...german.messages, [count]: "{name}: {count} Platten" } });
+    expect(own.say(count, { count: 1.5, name: "slab" })).toBe("Platte: 1,5 Platten");
+    expect(own.say(count, { count: "2 slabs", name: new Verbatim("slab 1.5") })).toBe("slab 1.5: 2 slabs Platten");
+    expect(own.say("{what}", { what: own.say("add {name}", { name: new Verbatim("slab") }) })).toBe("add slab");
+    expect(say(count, { count: 1.5, name: verbatim("slab") })).toBe("1.5 slabs of slab");
+    expect([1, 2].map((n) => counted(n, "{count} slab", count, { name: "A" }))).toEqual(["1 slab", "2 slabs of A"]);
   });
 
   it("forgets what it remembers when names change", () => {

@@ -15,7 +15,8 @@ import { formatNumber, withMinus } from "../data/numbers";
 import type { LocalPoint, Locator } from "../data/point-location";
 import type { Point, Scene } from "../data/scene";
 import { thicknessText } from "../plan/symbols";
-import { type Child, fill, h, verbatim } from "../shared/dom";
+import { type Child, fill, h } from "../shared/dom";
+import { verbatim } from "../shared/language";
 import { symbolElement } from "../shared/symbols";
 import "./value-panel.css";
 

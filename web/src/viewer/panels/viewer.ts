@@ -2,8 +2,8 @@
 import { type Choice, choiceName, fieldOf } from "../data/fields";
 import type { Point, Scene } from "../data/scene";
 import type { Layers } from "../plan/plan-symbols";
-import { button, h, setText, type Text, verbatim } from "../shared/dom";
-import { translate } from "../shared/language";
+import { button, h, setText } from "../shared/dom";
+import { type Text, translate, verbatim } from "../shared/language";
 import { symbolText } from "../shared/symbols";
 import { currentTheme, onThemeChange, switchTheme } from "../shared/theme";
 import { Legend } from "./legend";

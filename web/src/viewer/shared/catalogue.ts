@@ -7,6 +7,18 @@ export interface Messages {
   marks: Readonly<Record<string, string>>;
 }
 
+/** A text that stays as it is in every language: a name that the user gave, a value of the case. */
+export class Verbatim {
+  constructor(readonly text: string) {}
+
+  toString(): string {
+    return this.text;
+  }
+}
+
+/** What fills the holes of a message, by their names: texts are translated, numbers have decimal commas. */
+export type Values = Readonly<Record<string, string | number | Verbatim>>;
+
 /** A message with gaps, and its translation. */
 interface Template {
   /** What stands before, between and behind the gaps. */
@@ -62,6 +74,8 @@ export class Catalogue {
   private readonly whole = new Map<string, string>();
   private readonly templates = new Map<string, Template[]>();
   private readonly known = new Map<string, string | null>();
+  /** What is in the language already. */
+  private readonly said = new Set<string>();
   private readonly marks: readonly (readonly [string, string])[];
 
   /** `names`: of things of a case, which stay. */
@@ -103,6 +117,15 @@ export class Catalogue {
     return this.translateWithin(text, 0);
   }
 
+  /** Return a message by the translation of its template, its values in the language. */
+  say(template: string, values: Values): string {
+    const write = (value: Values[string]) => (value instanceof Verbatim ? value.text : this.translate(String(value)));
+    const text = filled(this.whole.get(template) ?? template, values, write);
+    if (this.said.size >= MOST_KNOWN) this.said.clear();
+    this.said.add(text);
+    return text;
+  }
+
   private translateWithin(text: string, depth: number): string {
     const found = this.find(text, depth);
     if (found !== null) return found;
@@ -131,7 +154,7 @@ export class Catalogue {
 
   private look(text: string, depth: number): string | null {
     const bare = text.trim();
-    if (!bare || this.names.has(bare) || QUOTED.test(bare)) return text;
+    if (!bare || this.said.has(bare) || this.names.has(bare) || QUOTED.test(bare)) return text;
     const whole = this.whole.get(bare);
     if (whole !== undefined) return text.replace(bare, () => whole);
     if (!WORD.test(bare)) return withCommas(text);
@@ -200,6 +223,11 @@ export class Catalogue {
     }
     return known;
   }
+}
+
+/** Return a text with values in its named holes. */
+export function filled(text: string, values: Values, write: (value: Values[string]) => string): string {
+  return text.replace(/\{([a-z]\w*)\}/gi, (hole, name: string) => (name in values ? write(values[name]!) : hole));
 }
 
 /** Return the longest word that each text which fits pieces has as a whole; empty if there is none. */

@@ -1,13 +1,8 @@
 // Elements of a page, made in one call. Texts are messages, which are shown in the language of the page.
-import { translate } from "./language";
 
-/** A text that stays as it is in every language: a name that the user gave, a value of the case. */
-export class Verbatim {
-  constructor(readonly text: string) {}
-}
+import { Verbatim } from "./catalogue";
+import { type Text, translate } from "./language";
 
-/** A message, or a text that stays as it is. */
-export type Text = string | Verbatim;
 type Attribute = Text | number | boolean | null | undefined | ((event: never) => void);
 export type Child = Node | Text | null | undefined | false;
 const SVG = "http://www.w3.org/2000/svg";
@@ -15,11 +10,6 @@ const SVG = "http://www.w3.org/2000/svg";
 const READ: ReadonlySet<string> = new Set(["title", "aria-label", "aria-roledescription", "placeholder", "label"]);
 /** Elements whose text is of the user or for a computer. */
 const CODE: ReadonlySet<string> = new Set(["code", "pre", "textarea"]);
-
-/** Return a text that stays as it is in every language. */
-export function verbatim(text: string): Verbatim {
-  return new Verbatim(text);
-}
 
 /** Return what is shown of a text. */
 export function shown(text: Text): string {

@@ -1,5 +1,5 @@
 // The language of the page: which one it is, and what translates messages into it.
-import { Catalogue, type Messages } from "./catalogue";
+import { Catalogue, filled, type Messages, type Values, Verbatim } from "./catalogue";
 import { readStored, writeStored } from "./storage";
 
 /** The languages, each by its own name. */
@@ -18,6 +18,24 @@ let catalogue: Catalogue | null = null; // none of English
 /** Return a message in the language of the page. */
 export function translate(text: string): string {
   return catalogue ? catalogue.translate(text) : text;
+}
+
+/** A message, or a text that stays as it is. */
+export type Text = string | Verbatim;
+
+/** Return a text that stays as it is in every language. */
+export function verbatim(text: string): Verbatim {
+  return new Verbatim(text);
+}
+
+/** Return a message with values in its named holes, as in `{count} rows of {name}`, in the language of the page. */
+export function say(template: string, values: Values): string {
+  return catalogue ? catalogue.say(template, values) : filled(template, values, String);
+}
+
+/** Return the message about one thing or that about several; each may have a hole for their `count`. */
+export function counted(count: number, one: string, many: string, values: Values = {}): string {
+  return say(count === 1 ? one : many, { count, ...values });
 }
 
 /** Take the messages of the page's language, null for English; call before the page is built. */

@@ -1,6 +1,6 @@
 // The load cases as rows: name, type, group, self-weight, sums, order, and what does not act.
-import { allow, button, fillOptions, h, setRead, setText, verbatim } from "../../viewer/shared/dom";
-import { translate } from "../../viewer/shared/language";
+import { allow, button, fillOptions, h, setRead, setText } from "../../viewer/shared/dom";
+import { translate, verbatim } from "../../viewer/shared/language";
 import { symbolElement } from "../../viewer/shared/symbols";
 import type { Store } from "../client/store";
 import { ask } from "../controls/dialogs";

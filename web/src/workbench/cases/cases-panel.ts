@@ -1,5 +1,6 @@
 // Load cases in one place: the list of them with their sums, a way to add one, and combinations as a matrix.
-import { button, fillOptions, h, setText, verbatim } from "../../viewer/shared/dom";
+import { button, fillOptions, h, setText } from "../../viewer/shared/dom";
+import { verbatim } from "../../viewer/shared/language";
 import type { Store } from "../client/store";
 import type { FormContext } from "../form/context";
 import { CASE_TYPES, type CaseSums, caseOf, lacksVariable, meaningOf, usualName } from "../model/changes/load-cases";

@@ -1,5 +1,6 @@
 // Combinations as a matrix of factors: a row for each, a column for each load case; only the rows in view are in the page.
-import { allow, button, fillOptions, h, setRead, setText, verbatim } from "../../viewer/shared/dom";
+import { allow, button, fillOptions, h, setRead, setText } from "../../viewer/shared/dom";
+import { verbatim } from "../../viewer/shared/language";
 import type { Store } from "../client/store";
 import { type RowBox, rowsInView } from "../controls/virtual-rows";
 import { type FormContext, setValue } from "../form/context";

@@ -1,6 +1,7 @@
 // What is to be made of a drawing: what its layers hold, its unit, its origin; with a small picture of it.
 
-import { button, fill, h, newId, setText, verbatim } from "../../viewer/shared/dom";
+import { button, fill, h, newId, setText } from "../../viewer/shared/dom";
+import { verbatim } from "../../viewer/shared/language";
 import { closeDialog, openDialog } from "../controls/dialogs";
 import {
   contentText,

@@ -1,7 +1,7 @@
 // The case file as a form: one section that folds for each key at the top of the file.
 
-import { h, setText, type Text, verbatim } from "../../viewer/shared/dom";
-import { translate } from "../../viewer/shared/language";
+import { h, setText } from "../../viewer/shared/dom";
+import { type Text, translate, verbatim } from "../../viewer/shared/language";
 import { issuesOfPart } from "../model/issues";
 import { isTable, type Json, type Path, type Table } from "../model/paths";
 import type { Field } from "../model/schema";

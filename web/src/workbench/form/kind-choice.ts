@@ -1,5 +1,6 @@
 // The choice between the kinds of a table.
-import { h, newId, setOptions, setText, verbatim } from "../../viewer/shared/dom";
+import { h, newId, setOptions, setText } from "../../viewer/shared/dom";
+import { verbatim } from "../../viewer/shared/language";
 import { switchGround } from "../model/changes/ground";
 import { switchKind } from "../model/changes/variants";
 

@@ -1,5 +1,6 @@
 // What the field with the focus means: a panel at the foot of the form or of the drawing.
-import { fill, h, newId, verbatim } from "../../viewer/shared/dom";
+import { fill, h, newId } from "../../viewer/shared/dom";
+import { verbatim } from "../../viewer/shared/language";
 import { readStored, writeStored } from "../../viewer/shared/storage";
 import { symbolElement } from "../../viewer/shared/symbols";
 import type { FormContext } from "../form/context";

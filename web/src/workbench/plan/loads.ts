@@ -1,6 +1,6 @@
 // Loads beside the drawing: the load case that stands out, and loads without a place in plan.
-import { allow, button, fillOptions, h, setText, type Verbatim, verbatim } from "../../viewer/shared/dom";
-import { translate } from "../../viewer/shared/language";
+import { allow, button, fillOptions, h, setText } from "../../viewer/shared/dom";
+import { type Text, translate, verbatim } from "../../viewer/shared/language";
 import type { Store } from "../client/store";
 import { scrollingBar } from "../controls/scrolling-bar";
 import { defaultsFor } from "../model/defaults";
@@ -107,7 +107,7 @@ export function unplacedLoads(store: Store, push: (change: Change) => void, { lo
   return { element, update };
 }
 
-function chipText(load: Table): Verbatim {
+function chipText(load: Table): Text {
   const value = String(load.q ?? load.unit_weight ?? load.difference ?? load.w ?? "");
   return verbatim(`${String(load.name || load.kind)} ${value}${load.case ? ` (${String(load.case)})` : ""}`);
 }

@@ -1,6 +1,6 @@
 // The tools beside the drawing, with names and keys.
-import { allow, h, type Verbatim, verbatim } from "../../viewer/shared/dom";
-import { translate } from "../../viewer/shared/language";
+import { allow, h } from "../../viewer/shared/dom";
+import { type Text, translate, verbatim } from "../../viewer/shared/language";
 import type { Generator, GeneratorName } from "./generators/generator";
 import { GENERATORS } from "./generators/generators";
 import { toolIcon } from "./tool-icons";
@@ -80,7 +80,7 @@ export function toolBar({ onChange, onGenerate, onRefuse, whyNot }: ToolHooks): 
   return { element, current: () => current, choose, update, whyNot };
 }
 
-function titleOf({ label, key }: Tool | Generator, what: string): Verbatim {
+function titleOf({ label, key }: Tool | Generator, what: string): Text {
   return verbatim(`${translate(label)}${key && ` (${key})`}. ${translate(what)}`);
 }
 

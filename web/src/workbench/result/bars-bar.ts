@@ -19,19 +19,19 @@ export function barsBar(store: Store, api: Pick<Api, "proposeBars">, push: (chan
   async function propose(): Promise<void> {
     const { solved } = store;
     if (!solved || isBusy || whyNotMade(store)) return;
-    say(true, BUSY);
+    tell(true, BUSY);
     try {
       const value = await api.proposeBars(solved.run);
       // whoever has edited in the meantime keeps these edits
       const why = whyNotMade(store);
       if (!why) push({ edits: [{ op: "text", value }], text: "propose bars" });
-      say(false, why || HINT);
+      tell(false, why || HINT);
     } catch (error) {
-      say(false, error instanceof Refused ? error.message : String(error), true);
+      tell(false, error instanceof Refused ? error.message : String(error), true);
     }
   }
 
-  function say(busy: boolean, text: string, bad = false): void {
+  function tell(busy: boolean, text: string, bad = false): void {
     isBusy = busy;
     element.classList.toggle("bad", bad);
     setText(words, text);
@@ -44,6 +44,6 @@ export function barsBar(store: Store, api: Pick<Api, "proposeBars">, push: (chan
   }
 
   store.on(["solved", "doc", "waiting"], update);
-  say(false, HINT);
+  tell(false, HINT);
   return element;
 }

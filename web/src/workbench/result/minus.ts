@@ -2,7 +2,8 @@
 
 import { isDifference } from "../../viewer/data/fields";
 import { decodeScene, type Scene } from "../../viewer/data/scene";
-import { fill, h, setText, verbatim } from "../../viewer/shared/dom";
+import { fill, h, setText } from "../../viewer/shared/dom";
+import { verbatim } from "../../viewer/shared/language";
 import type { Api, Subtracted } from "../client/api";
 
 /** What the choice needs of the server. */

@@ -1,7 +1,7 @@
 // A table of results: only the rows in view are in the page; sorted, filtered, copied.
 
-import { button, fill, h, setRead, setText, verbatim } from "../../viewer/shared/dom";
-import { translate } from "../../viewer/shared/language";
+import { button, fill, h, setRead, setText } from "../../viewer/shared/dom";
+import { translate, verbatim } from "../../viewer/shared/language";
 import { plainSymbols, symbolElement } from "../../viewer/shared/symbols";
 import type { ResultTable, TableCell, TableHead } from "../client/api";
 import { type RowBox, rangeInView, revealRow, rowsInView } from "../controls/virtual-rows";

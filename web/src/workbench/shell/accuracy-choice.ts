@@ -1,6 +1,6 @@
 // The accuracy that runs ask for, beside the button that solves, and what each takes, told before it begins.
-import { fill, h, setRead, setText, verbatim } from "../../viewer/shared/dom";
-import { translate } from "../../viewer/shared/language";
+import { fill, h, setRead, setText } from "../../viewer/shared/dom";
+import { translate, verbatim } from "../../viewer/shared/language";
 import { type Accuracy, type Api, type Cost, type Costs, Lost, Refused } from "../client/api";
 import { debounce } from "../client/debounce";
 import type { Store } from "../client/store";

@@ -1,5 +1,6 @@
 // A file that another program has changed: said in a banner, its difference shown, and which text counts settled.
-import { button, fill, h, verbatim } from "../../viewer/shared/dom";
+import { button, fill, h } from "../../viewer/shared/dom";
+import { verbatim } from "../../viewer/shared/language";
 import { type Api, type FileChanges, Lost, Refused, type Which } from "../client/api";
 import type { Store } from "../client/store";
 import { closeDialog, openDialog } from "../controls/dialogs";

@@ -1,7 +1,7 @@
 // What is exported: the report, tables, figures, drawings, files for other programs, each in one of its formats.
 
-import { button, type Child, h, newId, verbatim } from "../../viewer/shared/dom";
-import { translate } from "../../viewer/shared/language";
+import { button, type Child, h, newId } from "../../viewer/shared/dom";
+import { translate, verbatim } from "../../viewer/shared/language";
 import type { ShownResult, Store } from "../client/store";
 import { closeDialog, openDialog } from "../controls/dialogs";
 import "./export.css";

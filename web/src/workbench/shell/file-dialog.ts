@@ -1,6 +1,7 @@
 // Choosing a case file on the server's machine: to open, or to save under a name.
 
-import { button, fill, h, newId, setText, verbatim } from "../../viewer/shared/dom";
+import { button, fill, h, newId, setText } from "../../viewer/shared/dom";
+import { verbatim } from "../../viewer/shared/language";
 import { type Api, type Folder, Refused } from "../client/api";
 import { ask, closeDialog, openDialog } from "../controls/dialogs";
 

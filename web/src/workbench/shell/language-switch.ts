@@ -1,6 +1,13 @@
 // The language of the page: its messages, and the switch between languages.
-import { h, verbatim } from "../../viewer/shared/dom";
-import { chosenLanguage, keepNames, LANGUAGES, setMessages, storeLanguage } from "../../viewer/shared/language";
+import { h } from "../../viewer/shared/dom";
+import {
+  chosenLanguage,
+  keepNames,
+  LANGUAGES,
+  setMessages,
+  storeLanguage,
+  verbatim,
+} from "../../viewer/shared/language";
 import { type Api, Lost, Refused } from "../client/api";
 import type { Store } from "../client/store";
 import { valueAt } from "../model/paths";

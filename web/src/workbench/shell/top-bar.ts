@@ -1,7 +1,7 @@
 // The bar across the top: the file, undo and redo, solving, exporting, light and dark.
 
-import { button, h, setRead, setText, verbatim } from "../../viewer/shared/dom";
-import { translate } from "../../viewer/shared/language";
+import { button, h, setRead, setText } from "../../viewer/shared/dom";
+import { translate, verbatim } from "../../viewer/shared/language";
 import { switchTheme } from "../../viewer/shared/theme";
 import type { Api, Lost } from "../client/api";
 import type { Store } from "../client/store";

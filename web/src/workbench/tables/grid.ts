@@ -1,5 +1,6 @@
 // A table as a grid: only the rows in view are in the page.
-import { fill, h, setRead, verbatim } from "../../viewer/shared/dom";
+import { fill, h, setRead } from "../../viewer/shared/dom";
+import { verbatim } from "../../viewer/shared/language";
 import { symbolElement } from "../../viewer/shared/symbols";
 import { headWidth, type RowBox, revealRow, rowsInView } from "../controls/virtual-rows";
 import { defaultText, hintOf } from "../form/labels";

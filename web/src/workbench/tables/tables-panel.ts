@@ -290,12 +290,12 @@ export class TablesPanel {
   }
 
   private copyTable(): void {
-    const say = (words: string) => () => {
+    const tell = (words: string) => () => {
       this.said = words;
       this.tell();
     };
-    const done = say(`${this.open.rows.length} rows copied.`);
-    navigator.clipboard.writeText(this.open.copyAll()).then(done, say("The browser blocked copying."));
+    const done = tell(`${this.open.rows.length} rows copied.`);
+    navigator.clipboard.writeText(this.open.copyAll()).then(done, tell("The browser blocked copying."));
   }
 
   private paste(text: string): void {

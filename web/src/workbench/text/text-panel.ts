@@ -1,5 +1,6 @@
 // The case file as text: editable, colored, issues beside their lines.
-import { fill, h, verbatim } from "../../viewer/shared/dom";
+import { fill, h } from "../../viewer/shared/dom";
+import { verbatim } from "../../viewer/shared/language";
 import { debounce } from "../client/debounce";
 import type { Store } from "../client/store";
 import type { Issue } from "../model/issues";

@@ -1,6 +1,7 @@
 // The factors of a combination: one for each load case that takes part.
 
-import { fill, h, verbatim } from "../../../viewer/shared/dom";
+import { fill, h } from "../../../viewer/shared/dom";
+import { verbatim } from "../../../viewer/shared/language";
 import { namesIn } from "../../model/names";
 import { type Json, listAt, type Path, tableAt } from "../../model/paths";
 import { type FormContext, setValue, type Widget } from "../context";

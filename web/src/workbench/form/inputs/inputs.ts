@@ -1,7 +1,7 @@
 // Elements that edit one value of the case file, by what the value is.
 
-import { h, newId, setOptions, setRead, verbatim } from "../../../viewer/shared/dom";
-import { translate } from "../../../viewer/shared/language";
+import { h, newId, setOptions, setRead } from "../../../viewer/shared/dom";
+import { translate, verbatim } from "../../../viewer/shared/language";
 import { symbolText } from "../../../viewer/shared/symbols";
 import { debounce } from "../../client/debounce";
 import { referencedNames } from "../../model/changes/references";

@@ -1,5 +1,6 @@
 // The items of a list that fold, each with a summary.
-import { h, setRead, setText, verbatim } from "../../../viewer/shared/dom";
+import { h, setRead, setText } from "../../../viewer/shared/dom";
+import { verbatim } from "../../../viewer/shared/language";
 import { issueCount, issuesAt } from "../../model/issues";
 import { titleAt } from "../../model/items";
 import { listAt, type Path, pathKey, tableAt } from "../../model/paths";

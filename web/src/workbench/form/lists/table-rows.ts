@@ -1,5 +1,6 @@
 // A list of flat tables as rows: one row for each table, one column for each key.
-import { fill, h, verbatim } from "../../../viewer/shared/dom";
+import { fill, h } from "../../../viewer/shared/dom";
+import { verbatim } from "../../../viewer/shared/language";
 import { issuesAt, issuesOfPart } from "../../model/issues";
 import { namesIn } from "../../model/names";
 import { listAt, type Path, startsWith, tableAt } from "../../model/paths";

@@ -1,5 +1,6 @@
 // The dialog of an action: its numbers, below the plan that shows what they make.
-import { button, fill, h, newId, verbatim } from "../../../viewer/shared/dom";
+import { button, fill, h, newId } from "../../../viewer/shared/dom";
+import { verbatim } from "../../../viewer/shared/language";
 import type { Additions } from "../../model/changes/copies";
 import { Impossible } from "../../model/changes/transform";
 import type { Point } from "../../model/geometry";

@@ -1,6 +1,7 @@
 // The underlay's button in the corner of the plan: whether it is shown, its unit, and where it lies.
 
-import { button, h, newId, verbatim } from "../../../viewer/shared/dom";
+import { button, h, newId } from "../../../viewer/shared/dom";
+import { verbatim } from "../../../viewer/shared/language";
 import type { Store } from "../../client/store";
 import { formatDecimals, parseTyped } from "../../model/quantities";
 import { type Underlay, unitsFor } from "../../model/survey";
