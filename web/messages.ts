@@ -1,4 +1,4 @@
-// Finds the messages in the sources of a page: the texts that people read, with {} where something is put in.
+// Finds the messages in the sources of a page: the texts that people read, with {name} where something is put in.
 import { readdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { parseSync } from "vite";
@@ -22,7 +22,7 @@ const CODE = words(`
   querySelector querySelectorAll closest matches addEventListener removeEventListener getElementById getAttribute
   removeAttribute hasAttribute toggleAttribute createElement createElementNS getContext setProperty getPropertyValue
   newId on add remove toggle contains startsWith endsWith includes split join indexOf replace replaceAll RegExp svg fetch
-  matchMedia URL postMessage part partNamed line path freeName defaultsFor verbatim
+  matchMedia URL postMessage part partNamed line path freeName defaultsFor verbatim RangeError
 `);
 /** Functions whose strings are read, even if they are single words; how many arguments before them are not. */
 const SHOWING: Readonly<Record<string, number>> = {
@@ -41,7 +41,9 @@ const SHOWING: Readonly<Record<string, number>> = {
 const SAYING = new Map<string, readonly [number, number]>([
   ["say", [0, 1]],
   ["counted", [1, 3]],
+  ["refuse", [0, 1]],
 ]);
+const HOLES = /\{\w+\}/g;
 /** Files without messages: pictures with letters, values that new items begin with, selectors. */
 const SILENT =
   /renderer\/|help\/(drawings|figure)\.ts|model\/defaults\.ts|shared\/(language|palette|theme)\.ts|controls\/focus\.ts/;
@@ -50,41 +52,25 @@ const OTHERS =
   /^[\d.]+ \S+$|^M\{|^(translate|rotate|matrix)\(|^[A-Z][a-z]+([A-Z][a-z]+)+$|^Content-|^groundslab |^\w+ = |^[0-9a-f]{6} /;
 /** The same: classes of elements, and what only the program reads. */
 const NO_MESSAGES: ReadonlySet<string> = new Set([
-  ...["axis-label middle", "band crossing", "chain-length middle", "dimension end", "dimension middle", "entry folder"],
-  ...["field tall", "figure too-large", "grid fine", "handle {} chosen", "handle {}", "label needed", "label {}"],
   ...[
-    "label",
-    "line bad",
-    "tip end",
-    "verdict bad",
-    "verdict doubtful",
-    "verdict good",
-    "{} kN",
-    "{}px {}",
-    "system-ui",
-  ],
-  ...[
-    "main",
-    "{} by {}",
-    "Vlasov",
     "ACI 318",
-    "plates {}",
+    "Vlasov",
+    "axis-label middle",
+    "band crossing",
+    "chain-length middle",
+    "dimension end",
+    "dimension middle",
     "dx",
-    "dy",
-    "● {} – groundslab",
-    "{} – groundslab",
-    "slab.toml",
-    "false",
-    "true",
-    "groundslab",
   ],
+  ...["dy", "entry folder", "field tall", "figure too-large", "grid fine", "groundslab", "label needed", "label {}"],
+  ...["line bad", "main", "plates {}", "slab.toml", "tip end", "verdict bad", "verdict doubtful", "{} kN"],
+  ...["{}{} – groundslab", "factor of {}", "factor {}", "point {} {}"],
 ]);
 /** Single words that are read, where nothing near them tells. */
 const SINGLE = words(`
-  bottom center columns contact content corner default difference end from to entities error errors extremes ground intersection
-  labels layer loads middle now origin output permanent range single supports top unfavourable favourable untitled
-  value values variable zones begun e.g. self-weight solve remove duplicate certificate certified constants required tilt steps storeys
-  envelope building reinforcement mesh checks strips points joints beams walls
+  bottom contact content corner difference end entities errors extremes ground labels layer middle now output range
+  single supports top value values variable zones e.g. solve duplicate certificate certified constants required tilt
+  steps storeys envelope building reinforcement mesh checks strips points joints beams walls
 `);
 
 /** Return the messages in the sources of some folders, sorted. */
@@ -110,11 +96,16 @@ function walk(node: unknown, isRead: boolean, found: string[]): void {
   const templates = SAYING.get(node.type === "CallExpression" ? String((node.callee as Node).name) : "");
   if (templates) {
     const all = node.arguments as Node[];
-    found.push(...all.slice(...templates).flatMap((each) => stringsOf(each) ?? choicesOf(each) ?? []));
+    found.push(
+      ...all
+        .slice(...templates)
+        .flatMap(stringsOf)
+        .filter((each) => /\p{L}/u.test(each.replace(HOLES, ""))),
+    );
     return walk(all.slice(templates[1]), false, found);
   }
-  const strings = stringsOf(node);
-  if (strings) found.push(...strings.filter((each) => isMessage(each, isRead)).map((each) => each.trim()));
+  const string = stringOf(node);
+  if (string !== null && isMessage(string, isRead)) found.push(string.trim());
   for (const [child, isChildRead] of childrenOf(node, isRead)) walk(child, isChildRead, found);
 }
 
@@ -122,7 +113,7 @@ function walk(node: unknown, isRead: boolean, found: string[]): void {
 function childrenOf(node: Node, isRead: boolean): [unknown, boolean][] {
   switch (node.type) {
     case "TemplateLiteral":
-      return (node.expressions as Node[]).filter((each) => !choicesOf(each)).map((each) => [each, false]);
+      return (node.expressions as Node[]).filter((each) => stringsOf(each).length === 0).map((each) => [each, false]);
     case "BinaryExpression":
       return [node.left, node.right]
         .filter((each) => node.operator === "+" || !isString(each))
@@ -175,35 +166,31 @@ function argumentsOf({ callee, arguments: all }: Node): [unknown, boolean][] {
   ];
 }
 
-/** Return the strings that a literal can be, with {} for what is put in and all that it chooses between; null for others. */
-function stringsOf(node: Node): string[] | null {
-  if (node.type === "Literal") return typeof node.value === "string" ? [node.value] : null;
-  if (node.type !== "TemplateLiteral") return null;
-  const [first = "", ...others] = (node.quasis as { value: { cooked: string } }[]).map(({ value }) => value.cooked);
-  let texts = [first];
-  (node.expressions as Node[]).forEach((each, n) => {
-    const fillings = choicesOf(each) ?? ["{}"];
-    texts = texts.flatMap((text) => fillings.map((filling) => `${text}${filling}${others[n]}`));
-  });
-  return texts.map((text) => text.replace(/(\{\})+/g, "{}"));
+/** Return the string that a literal is, null for others. */
+function stringOf(node: unknown): string | null {
+  if (!isNode(node)) return null;
+  if (node.type === "Literal") return typeof node.value === "string" ? node.value : null;
+  const quasis = node.type === "TemplateLiteral" ? (node.quasis as { value: { cooked: string } }[]) : null;
+  return quasis?.map(({ value }) => value.cooked).join("{}") ?? null;
 }
 
-/** Return the strings that a node chooses between; null if it does not. */
-function choicesOf(node: unknown): string[] | null {
-  if (!isNode(node) || node.type !== "ConditionalExpression") return null;
-  const both = [node.consequent, node.alternate].map((each) => stringsOf(each as Node) ?? choicesOf(each));
-  return both[0] && both[1] ? [...both[0], ...both[1]] : null;
+/** Return the strings that a node is or chooses between. */
+function stringsOf(node: unknown): string[] {
+  const string = stringOf(node);
+  if (string !== null) return [string];
+  return isNode(node) && node.type === "ConditionalExpression"
+    ? [node.consequent, node.alternate].flatMap(stringsOf)
+    : [];
 }
 
 function isString(node: unknown): boolean {
-  return isNode(node) && stringsOf(node) !== null;
+  return isNode(node) && (node.type === "TemplateLiteral" || stringOf(node) !== null);
 }
 
 function isMessage(text: string, isRead: boolean): boolean {
-  const own = text.replaceAll("{}", "");
   if (SINGLE.has(text)) return true;
-  if (!/\p{L}{2}/u.test(own) || OTHERS.test(text) || NO_MESSAGES.has(text)) return false;
-  return isRead || /^[A-Z][a-z]/.test(own) || /\p{L}[:;,.]? | \p{L}{2}/u.test(own);
+  if (!/\p{L}{2}/u.test(text) || OTHERS.test(text) || NO_MESSAGES.has(text)) return false;
+  return isRead || /^[A-Z][a-z]/.test(text) || /\p{L}[:;,.]? | \p{L}{2}/u.test(text);
 }
 
 /** Return the name of a variable, a property or a function; of `a.b` that is b. */

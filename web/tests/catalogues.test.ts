@@ -54,8 +54,8 @@ function wordsOfItems(): string[] {
         ? node.of.parts.map((part) => `${schema.part(part).kind} ${name.slice(0, -1)}`)
         : [],
     );
-  const counted = ITEM_WORDS.flatMap((word) => [`{} ${word}`, `{} ${severalOf(word)}`]);
-  return [...counted, ...[...ITEM_WORDS, ...loads].map((word) => `${word} {}`)];
+  const counted = ITEM_WORDS.flatMap((word) => [`{count} ${word}`, `{count} ${severalOf(word)}`]);
+  return [...counted, ...[...ITEM_WORDS, ...loads].map((word) => `${word} {name}`)];
 }
 
 describe("the catalogues", () => {
@@ -69,7 +69,7 @@ describe("the catalogues", () => {
         ...messagesOf(["src"]),
         ...wordsOfSchema(),
         ...wordsOfItems(),
-        ...FORMS.map(({ label }) => label.toLowerCase()),
+        ...FORMS.flatMap(({ name, label }) => [label.toLowerCase(), ...(name === "array" ? [] : [`${name} {items}`])]),
       ].map((each) => each.trim()),
     ),
   ];
@@ -84,12 +84,11 @@ describe("the catalogues", () => {
 });
 
 describe("the messages of a source", () => {
-  it("are the texts that are shown, with gaps for what is put in and all that is chosen between", () => {
+  it("are the texts that are shown, with holes for what is put in", () => {
     const source = `
       import { h } from "./not read";
       h("p", { class: "not read", title: "Undo", "data-kind": kind === "not read" ? "x" : "y" }, "slab");
       button("Save", "", () => {}, "not read");
-      setText(element, \`\${count} \${count === 1 ? "row" : "rows"} of \${name}\`);
       const words: "not read" = element.querySelector("not read")["not read"];
       say(isNew ? "add {what}" : "change {what}", { what: counted(n, "{count} pile", "{count} piles", { n: "a" }) });
       throw new Impossible(\`\${legs} legs are too many\`);
@@ -98,8 +97,6 @@ describe("the messages of a source", () => {
       "Undo",
       "slab",
       "Save",
-      "{} row of {}",
-      "{} rows of {}",
       "add {what}",
       "change {what}",
       "{count} pile",

@@ -5,7 +5,7 @@ import { decodeGzipBase64, type Scene, SceneError } from "../viewer/data/scene";
 import { Viewer } from "../viewer/panels/viewer";
 import type { Messages } from "../viewer/shared/catalogue";
 import { setText } from "../viewer/shared/dom";
-import { setMessages } from "../viewer/shared/language";
+import { say, setMessages } from "../viewer/shared/language";
 import { startTheme } from "../viewer/shared/theme";
 import "../viewer/shared/theme.css";
 import { openOnPaper } from "./paper";
@@ -31,7 +31,9 @@ async function start(): Promise<void> {
     place.textContent =
       error instanceof SceneError
         ? error.message
-        : `The viewer could not start: ${String(error)}. The tables in this report work without it.`;
+        : say("The viewer could not start: {error}. The tables in this report work without it.", {
+            error: String(error),
+          });
     place.classList.add("viewer-failed");
   }
 }

@@ -1,4 +1,5 @@
 // The workbench's page: model on the left, result on the right.
+import { say } from "../viewer/shared/language";
 import { startTheme } from "../viewer/shared/theme";
 import "../viewer/shared/theme.css";
 import { h, setText } from "../viewer/shared/dom";
@@ -20,7 +21,8 @@ const queue: EditQueue = new EditQueue(api, {
   base: () => store.doc?.version ?? 0,
   adopt: (state, waiting) => store.setDoc(state, waiting),
   fits: (change, state) => isUntouched(change, store.doc?.data ?? {}, state.data ?? {}),
-  onRefused: (change, why) => store.set("notice", { kind: "bad", text: `“${change.text}” failed: ${why}` }),
+  onRefused: (change, why) =>
+    store.set("notice", { kind: "bad", text: say("“{change}” failed: {why}", { change: change.text, why }) }),
   onLost: (error) => connection.handleLoss(error),
   onChange: () => store.setWaiting(queue.waiting),
 });

@@ -1,5 +1,5 @@
 // Fields of a scene: basic ones as they were packed, derived ones, and envelopes over combinations.
-import { ALL_LOADS, translate } from "../shared/language";
+import { ALL_LOADS, say, translate, verbatim } from "../shared/language";
 import type { LocalPoint, Locator } from "./point-location";
 import { type Combination, type Extreme, type Field, readBlock, type Scene } from "./scene";
 
@@ -25,7 +25,9 @@ interface DerivedField extends Pick<Field, "name" | "symbol" | "meaning"> {
 const designField = (face: string, axis: string, of: DerivedField["of"]): DerivedField => ({
   name: `${face}_${axis}`,
   symbol: `m_${axis} ${face}`,
-  meaning: `design moment ${face} ${axis}, for reinforcement along ${axis} (Wood and Armer)`,
+  get meaning() {
+    return say("design moment {face} {axis}, for reinforcement along {axis} (Wood and Armer)", { face, axis });
+  },
   of,
 });
 
@@ -165,17 +167,19 @@ export function choiceName(scene: Scene, choice: Choice): string {
   const { combinations } = scene.head;
   if (isEnvelope(choice)) {
     const state = limitStateOf(choice);
-    return translate(`${isLargest(choice) ? "max" : "min"} of all ${state === null ? "" : `${state} `}combinations`);
+    if (state === null) return translate(isLargest(choice) ? "max of all combinations" : "min of all combinations");
+    return say(isLargest(choice) ? "max of all {state} combinations" : "min of all {state} combinations", { state });
   }
   const one = combinations[choice];
   if (!one) return "";
   const name = combinationName(scene, one);
   if (!one.minus) return name;
   const other = combinations.find((each) => each.name === one.minus);
-  if (scene.head.difference === "combination") return translate(`${name} minus ${combinationName(scene, other!)}`);
+  if (scene.head.difference === "combination")
+    return say("{name} minus {other}", { name: verbatim(name), other: verbatim(combinationName(scene, other!)) });
   return one.minus === one.name
-    ? translate(`${name} minus the reference`)
-    : translate(`${name} minus ${one.minus} of the reference`);
+    ? say("{name} minus the reference", { name: verbatim(name) })
+    : say("{name} minus {minus} of the reference", { name: verbatim(name), minus: verbatim(one.minus) });
 }
 
 /** Return what a combination is called, with its number if there are several. */

@@ -1,4 +1,5 @@
 // Labels of loads on a plan: what acts at each place in the combination that is shown.
+import { say, together, verbatim } from "../shared/language";
 import { formatShort } from "./numbers";
 import type { Load } from "./scene";
 
@@ -24,7 +25,8 @@ export function labelLoads(loads: readonly Load[], factors: ReadonlyMap<string, 
   const groups = new Map<string, Load[]>();
   for (const load of acting) groups.set(placeKey(load), [...(groups.get(placeKey(load)) ?? []), load]);
   return acting.map((load) => {
-    if (!factors && load.case) return { load, text: `${labelOf([load], () => 1)} (1.0 ${load.case})` };
+    if (!factors && load.case)
+      return { load, text: say("{load} (1.0 {name})", { load: labelOf([load], () => 1), name: verbatim(load.case) }) };
     const group = groups.get(placeKey(load))!;
     return { load, text: group[0] === load ? labelOf(group, factorOf) : "" };
   });
@@ -33,9 +35,10 @@ export function labelLoads(loads: readonly Load[], factors: ReadonlyMap<string, 
 /** Return what acts on the entire slab under the factors of a combination, empty if nothing does. */
 export function labelEverywhere(loads: readonly Load[], factors: ReadonlyMap<string, number>): string {
   const everywhere = loads.filter((load) => load.everywhere);
-  return labelLoads(everywhere, factors)
-    .flatMap(({ text }) => text || [])
-    .join(", ");
+  return together(
+    labelLoads(everywhere, factors).map(({ text }) => text),
+    ", ",
+  );
 }
 
 /** Return a key that loads of one kind at one place share. */
@@ -55,8 +58,10 @@ function labelOf(loads: readonly Load[], factorOf: (load: Load) => number): stri
   const some = all.filter(([, { value }]) => round(value) !== "0");
   const words = (some.length > 0 ? some : all.slice(0, 1)).map(([symbol, { value, unit }]) => {
     const end = sums.get(symbol + END);
-    const to = end && round(end.value) !== round(value) ? ` to ${round(end.value)}` : "";
-    return `${symbol} = ${round(value)}${to} ${unit}`;
+    const from = round(value);
+    const values = end && round(end.value) !== from ? say("{from} to {to}", { from, to: round(end.value) }) : from;
+    return say("{symbol} = {values} {unit}", { symbol: verbatim(symbol), values, unit });
   });
-  return words.join(", ") + (loads.some((load) => load.varies) ? " and varying" : "");
+  const load = together(words, ", ");
+  return loads.some(({ varies }) => varies) ? say("{load} and varying", { load }) : load;
 }

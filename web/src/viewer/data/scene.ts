@@ -1,4 +1,5 @@
 // One solved model as the browser gets it: a JSON head, and blocks of numbers behind it.
+import { say } from "../shared/language";
 
 /** Arrays of the numbers in a block, by its type. */
 const ARRAYS = { u8: Uint8Array, u16: Uint16Array, u32: Uint32Array, i32: Int32Array, f32: Float32Array } as const;
@@ -204,7 +205,9 @@ export function decodeScene(buffer: ArrayBuffer): Scene {
   if (4 + length > buffer.byteLength) throw new SceneError("The results are incomplete.");
   const head = JSON.parse(new TextDecoder().decode(new Uint8Array(buffer, 4, length))) as Head;
   if (head.format !== FORMAT)
-    throw new SceneError(`The results have format ${head.format}; this page reads format ${FORMAT}.`);
+    throw new SceneError(
+      say("The results have format {format}; this page reads format {known}.", { format: head.format, known: FORMAT }),
+    );
   const start = Math.ceil((4 + length) / 8) * 8;
   const origin = head.mesh.origin ?? [0, 0];
   const nodes = Float64Array.from(readNumbers(buffer, start, head.mesh.nodes), (value, i) => value + origin[i % 2]!);

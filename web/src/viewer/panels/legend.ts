@@ -5,7 +5,7 @@ import { formatNumber, formatTicks } from "../data/numbers";
 import type { Scene } from "../data/scene";
 import type { ShownField } from "../data/shown-field";
 import { type Child, fill, h } from "../shared/dom";
-import { verbatim } from "../shared/language";
+import { say, verbatim } from "../shared/language";
 import type { Rgb } from "../shared/palette";
 import { symbolElement } from "../shared/symbols";
 import "./legend.css";
@@ -26,14 +26,14 @@ export class Legend {
     const isAbove = scale.max > scale.levels.at(-1)! + BEYOND * scale.step;
     const isBelow = scale.min < scale.levels[0]! - BEYOND * scale.step;
     const edge = field.name === "pressure" && scene ? lineForceOf(scene, choice) : null;
-    const edgeUnit = scene?.head.fields.find((each) => each.name === "line_force")?.unit;
+    const edgeUnit = scene?.head.fields.find((each) => each.name === "line_force")?.unit ?? "";
     const hatch = h("span", { class: "gs-legend-hatch" });
     const notes: Child[][] = [
-      [`max ${formatNumber(scale.max)}`],
-      [`min ${formatNumber(scale.min)}`],
-      edge ? [`edge line force up to ${formatNumber(edge[0])} ${edgeUnit}`] : [],
-      isAbove ? [`above the scale: up to ${formatNumber(scale.max)} ${field.unit}`] : [],
-      isBelow ? [`below the scale: down to ${formatNumber(scale.min)} ${field.unit}`] : [],
+      [say("max {max}", { max: formatNumber(scale.max) })],
+      [say("min {min}", { min: formatNumber(scale.min) })],
+      edge ? [say("edge line force up to {force} {unit}", { force: formatNumber(edge[0]), unit: edgeUnit })] : [],
+      isAbove ? [say("above the scale: up to {max} {unit}", { max: formatNumber(scale.max), unit: field.unit })] : [],
+      isBelow ? [say("below the scale: down to {min} {unit}", { min: formatNumber(scale.min), unit: field.unit })] : [],
       shown.lifted ? [hatch, isEnvelope(choice) ? "no contact in some combination" : "no contact"] : [],
     ];
     fill(
@@ -59,7 +59,11 @@ function makeBar(scale: ColorScale, unit: string, isAbove: boolean, isBelow: boo
       i === 0 && !isBelow ? h("span", { class: "gs-legend-last" }, texts[0]!) : null,
     ),
   );
-  const label = `Colors from ${formatNumber(scale.levels[0]!)} to ${formatNumber(scale.levels[count]!)} ${unit}`;
+  const label = say("Colors from {min} to {max} {unit}", {
+    min: formatNumber(scale.levels[0]!),
+    max: formatNumber(scale.levels[count]!),
+    unit,
+  });
   return h(
     "div",
     { class: "gs-legend-bar", role: "img", "aria-label": label },

@@ -23,7 +23,7 @@ import type { ScaleRange, ShownField } from "../data/shown-field";
 import { PlanView, type Tool } from "../plan/plan-view";
 import { annotationsOf } from "../plan/result-symbols";
 import { allow, button, fill, h, press, setRead, setText } from "../shared/dom";
-import { keepNames, translate, verbatim } from "../shared/language";
+import { keepNames, say, translate, verbatim } from "../shared/language";
 import { plainSymbols, symbolText } from "../shared/symbols";
 import { onThemeChange } from "../shared/theme";
 import { SpaceView } from "../space/space-view";
@@ -185,7 +185,7 @@ export class ResultView {
     const factors = isEnvelope(choice) ? null : new Map(scene.head.combinations[choice]?.factors ?? []);
     const { plan } = scene.head;
     const acting = factors && !plan.plates?.length ? labelEverywhere(plan.loads, factors) : "";
-    setText(this.everywhere, acting && `Entire slab: ${plainSymbols(acting)}`);
+    setText(this.everywhere, acting && say("Entire slab: {acting}", { acting: plainSymbols(acting) }));
     this.offerLayers(scene);
     this.hooks.onShow();
   }
@@ -290,7 +290,7 @@ export class ResultView {
       const found = fieldValueAt(scene, locator, this.choice, this.field, spot);
       text += `   ${symbolText(info.symbol)} = ${translate(formatNumber(found.value))} ${info.unit}`;
       if (isEnvelope(this.choice))
-        text += ` (${translate(`combination ${scene.head.combinations[found.from]?.number ?? ""}`)})`;
+        text += ` (${say("combination {number}", { number: scene.head.combinations[found.from]?.number ?? "" })})`;
     }
     setText(this.reading, verbatim(withMinus(text)));
   }

@@ -17,7 +17,7 @@ import {
   sampleStrip,
 } from "../data/section-sampling";
 import { h } from "../shared/dom";
-import { translate } from "../shared/language";
+import { say, translate } from "../shared/language";
 import { FONT, type Palette, paletteOf } from "../shared/palette";
 import { symbolText } from "../shared/symbols";
 import { currentTheme, type Theme } from "../shared/theme";
@@ -256,7 +256,7 @@ function makeAxes(unit: string, label: string, times: number, palette: Palette):
     space: space * times,
     values: (_, ticks) => ticks.map((tick) => translate(formatShort(tick, 6))),
   });
-  return [makeAxis(translate(`distance s along the section [${unit}]`), 18, 26, 60), makeAxis(label, 20, 50, 26)];
+  return [makeAxis(say("distance s along the section [{unit}]", { unit }), 18, 26, 60), makeAxis(label, 20, 50, 26)];
 }
 
 function makeStroke(i: number, times: number, colors: readonly string[]): uPlot.Series {

@@ -5,7 +5,7 @@ import { lengthsOf } from "../data/lengths";
 import { formatShort } from "../data/numbers";
 import type { Line, Point, Scene } from "../data/scene";
 import { fillOptions, h, setText } from "../shared/dom";
-import { verbatim } from "../shared/language";
+import { say, verbatim } from "../shared/language";
 import { symbolText } from "../shared/symbols";
 import { onThemeChange } from "../shared/theme";
 import type { ResultView } from "./result-view";
@@ -56,7 +56,9 @@ export class SectionPanel {
     const lines = scene?.head.plan.lines ?? [];
     fillOptions(this.lines, [
       ["", "Section along …"],
-      ...lines.map((line, i) => [String(i), line.name ? verbatim(line.name) : `line ${i + 1}`] as const),
+      ...lines.map(
+        (line, i) => [String(i), line.name ? verbatim(line.name) : say("line {number}", { number: i + 1 })] as const,
+      ),
     ]);
     this.lines.hidden = lines.length === 0;
     const solved = scene ? solvedCombinations(scene) : [];
@@ -64,7 +66,7 @@ export class SectionPanel {
     fillOptions(this.combinations, [
       [THIS, "combination shown"],
       ...(solved.length > 1 ? [["all", "all combinations"] as const] : []),
-      ...(states.length > 1 ? states.map((state) => [state, `all ${state} combinations`] as const) : []),
+      ...(states.length > 1 ? states.map((state) => [state, say("all {state} combinations", { state })] as const) : []),
     ]);
     this.combinations.hidden = solved.length < 2;
     this.drawChart();
@@ -80,14 +82,20 @@ export class SectionPanel {
     const info = fieldOf(scene, field);
     const { unit, per_meter: per } = lengthsOf(scene.head.plan);
     const place = ([x, y]: Point) => `(${formatShort(x * per, 5)}, ${formatShort(y * per, 5)})`;
-    const name = section.name ? `${section.name}: ` : "";
-    const [symbol, start, end] = [symbolText(info.symbol), place(section.start), place(section.end)];
-    const width = formatShort((section.width ?? 0) * per, 4);
+    const from = place(section.start);
+    const values = {
+      symbol: symbolText(info.symbol),
+      unit: info.unit,
+      start: section.name ? say("{name}: {place}", { name: verbatim(section.name), place: from }) : from,
+      end: place(section.end),
+      length: unit,
+      width: formatShort((section.width ?? 0) * per, 4),
+    };
     setText(
       this.title,
       section.width
-        ? `${symbol} [${info.unit}] along ${name}${start} to ${end} ${unit}, mean over a width of ${width} ${unit}`
-        : `${symbol} [${info.unit}] along ${name}${start} to ${end} ${unit}`,
+        ? say("{symbol} [{unit}] along {start} to {end} {length}, mean over a width of {width} {length}", values)
+        : say("{symbol} [{unit}] along {start} to {end} {length}", values),
     );
     this.chart.show({ scene, locator, field, choices: this.choices(scene), ...section });
   }

@@ -16,7 +16,7 @@ import type { LocalPoint, Locator } from "../data/point-location";
 import type { Point, Scene } from "../data/scene";
 import { thicknessText } from "../plan/symbols";
 import { type Child, fill, h } from "../shared/dom";
-import { verbatim } from "../shared/language";
+import { say, verbatim } from "../shared/language";
 import { symbolElement } from "../shared/symbols";
 import "./value-panel.css";
 
@@ -92,7 +92,7 @@ function makeNotes(scene: Scene, locator: Locator, choice: Choice, spot: LocalPo
   const section = sectionText(scene, spot.element);
   const governing = "In parentheses: the number of the governing combination; hover over it for its name.";
   return [
-    contact !== null && h("div", {}, `contact: ${contact ? "yes" : no}`),
+    contact !== null && h("div", {}, say("contact: {contact}", { contact: contact ? "yes" : no })),
     section !== "" && h("div", {}, section),
     isEnvelope(choice) && h("div", { class: "gs-screen" }, governing),
   ];
@@ -106,8 +106,12 @@ function sectionText({ head: { plan }, mesh }: Scene, element: number): string {
   const first = { name: "plate", thickness: plan.thickness, zones: plan.zones };
   const all = [first, ...(plan.plates ?? [])].flatMap((plate) => [
     { name: plate.name, thickness: plate.thickness },
-    ...plate.zones.map((zone, n) => ({ name: zone.name ?? `zone ${n + 1}`, thickness: zone.thickness })),
+    ...plate.zones.map((zone, n) => ({
+      name: zone.name ?? say("zone {number}", { number: n + 1 }),
+      thickness: zone.thickness,
+    })),
   ]);
   const { name, thickness } = all[position] ?? { name: "plate", thickness: plan.thickness };
-  return `section: ${name}${thickness === undefined ? "" : `, ${thicknessText(thickness, lengthsOf(plan))}`}`;
+  if (thickness === undefined) return say("section: {name}", { name });
+  return say("section: {name}, {thickness}", { name, thickness: thicknessText(thickness, lengthsOf(plan)) });
 }

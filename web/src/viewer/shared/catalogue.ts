@@ -120,7 +120,11 @@ export class Catalogue {
   /** Return a message by the translation of its template, its values in the language. */
   say(template: string, values: Values): string {
     const write = (value: Values[string]) => (value instanceof Verbatim ? value.text : this.translate(String(value)));
-    const text = filled(this.whole.get(template) ?? template, values, write);
+    return this.keep(filled(this.whole.get(template) ?? template, values, write));
+  }
+
+  /** Return a text in the language, which stays as it is from now on. */
+  keep(text: string): string {
     if (this.said.size >= MOST_KNOWN) this.said.clear();
     this.said.add(text);
     return text;

@@ -38,6 +38,16 @@ export function counted(count: number, one: string, many: string, values: Values
   return say(count === 1 ? one : many, { count, ...values });
 }
 
+/** Return a text that is put together of what was said, which stays as it is. */
+export function keep(text: string): string {
+  return catalogue ? catalogue.keep(text) : text;
+}
+
+/** Return messages, those that are not empty, one after another. */
+export function together(texts: readonly string[], mark = " "): string {
+  return keep(texts.filter(Boolean).map(translate).join(mark));
+}
+
 /** Take the messages of the page's language, null for English; call before the page is built. */
 export function setMessages(messages: Messages | null): void {
   catalogue = messages && new Catalogue(messages);

@@ -1,6 +1,6 @@
 // The load cases as rows: name, type, group, self-weight, sums, order, and what does not act.
 import { allow, button, fillOptions, h, setRead, setText } from "../../viewer/shared/dom";
-import { translate, verbatim } from "../../viewer/shared/language";
+import { say, translate, verbatim } from "../../viewer/shared/language";
 import { symbolElement } from "../../viewer/shared/symbols";
 import type { Store } from "../client/store";
 import { ask } from "../controls/dialogs";
@@ -79,7 +79,10 @@ export class CaseList {
   private makeHead(): HTMLElement {
     const { sums } = this;
     const about = sums?.about.map((value) => shortNumber(value)).join("; ") ?? "";
-    const middle = `Moment about the middle of the plan (${about}) ${sums?.length ?? "m"}; forces at larger coordinates are positive`;
+    const middle = say(
+      "Moment about the middle of the plan ({about}) {unit}; forces at larger coordinates are positive",
+      { about, unit: sums?.length ?? "m" },
+    );
     const sum = (symbol: string, unit: string, title: string) =>
       h("th", { scope: "col", class: "number", title }, symbolElement(symbol), verbatim(unit ? ` [${unit}]` : ""));
     return h(
@@ -107,7 +110,7 @@ export class CaseList {
       "tr",
       { class: noteClass(notes), "data-case": n },
       h("td", {}, this.makeHandle(n, name)),
-      h("td", {}, this.makeText(["cases", n, "name"], `name of case ${n + 1}`, name)),
+      h("td", {}, this.makeText(["cases", n, "name"], say("name of case {number}", { number: n + 1 }), name)),
       h("td", {}, this.makeType(n, own)),
       h("td", {}, this.makeGroup(n, own)),
       h("td", { class: "middle" }, this.makeSwitch(n, name)),
@@ -134,7 +137,7 @@ export class CaseList {
         draggable: "true",
         "data-key": `handle-${n}`,
         title: "Drag, or press Alt with an arrow key, to move the case",
-        "aria-label": `move case ${name || n + 1}`,
+        "aria-label": say("move case {name}", { name: verbatim(name || String(n + 1)) }),
         style: `--case-color:${caseColor(n)}`,
       },
       h("span", { class: "swatch", "aria-hidden": "true" }),
@@ -171,7 +174,11 @@ export class CaseList {
   private makeType(n: number, own: Table): HTMLSelectElement {
     const type = typeOf(own);
     const title = verbatim(translate(meaningOf(type, this.store.data, this.store.doc?.factors, own)));
-    const select = h("select", { "data-key": `type-${n}`, "aria-label": `type of case ${n + 1}`, title });
+    const select = h("select", {
+      "data-key": `type-${n}`,
+      "aria-label": say("type of case {number}", { number: n + 1 }),
+      title,
+    });
     const known = CASE_TYPES.some(({ id }) => id === type);
     fillOptions(select, [
       ...CASE_TYPES.map(({ id, label }) => [id, label] as const),
@@ -184,7 +191,11 @@ export class CaseList {
   }
 
   private makeGroup(n: number, own: Table): HTMLInputElement {
-    const input = this.makeText(["cases", n, "group"], `group of case ${n + 1}`, String(own.group ?? ""));
+    const input = this.makeText(
+      ["cases", n, "group"],
+      say("group of case {number}", { number: n + 1 }),
+      String(own.group ?? ""),
+    );
     input.setAttribute("list", this.names.id);
     const isVariable = (own.action ?? "permanent") === "variable";
     allow(input, isVariable || own.group ? "" : "Variable cases alone exclude each other");
@@ -195,7 +206,7 @@ export class CaseList {
     const box = h("input", {
       type: "checkbox",
       "data-key": `weight-${n}`,
-      "aria-label": `self-weight in case ${n + 1}`,
+      "aria-label": say("self-weight in case {number}", { number: n + 1 }),
     });
     box.checked = hasSelfWeight(this.store.data, name);
     box.dataset.value = String(box.checked);
@@ -215,7 +226,7 @@ export class CaseList {
   private makeRemove(n: number, name: string): HTMLElement {
     const remove = button("×", "Remove this load case", () => void this.remove(n, name), "icon");
     remove.dataset.key = `remove-${n}`;
-    setRead(remove, "aria-label", `remove case ${name || n + 1}`);
+    setRead(remove, "aria-label", say("remove case {name}", { name: verbatim(name || String(n + 1)) }));
     return remove;
   }
 
@@ -228,14 +239,18 @@ export class CaseList {
     const others = namesIn(listAt(data, ["cases"])).filter((each) => each !== name);
     if (count === 0 && alone === 0) return this.ctx.change(removeCase(data, n, null));
     const texts = [
-      ...(count > 0 ? [`Loads in the case: ${count}.`] : []),
-      ...(alone > 0 ? [`Combinations that name no other case, which are removed: ${alone}.`] : []),
+      ...(count > 0 ? [say("Loads in the case: {count}.", { count })] : []),
+      ...(alone > 0
+        ? [say("Combinations that name no other case, which are removed: {count}.", { count: alone })]
+        : []),
     ];
     const keep = isLast
       ? [{ label: "Keep its loads without a case", value: "keep " }]
-      : others.slice(0, 4).map((each) => ({ label: `Move its loads to ${each}`, value: `keep ${each}` }));
+      : others
+          .slice(0, 4)
+          .map((each) => ({ label: say("Move its loads to {name}", { name: verbatim(each) }), value: `keep ${each}` }));
     const answer = await ask(
-      `Remove load case ${name}?`,
+      say("Remove load case {name}?", { name: verbatim(name) }),
       texts,
       [
         ...(count > 0 ? keep : []),

@@ -1,6 +1,6 @@
 // Combinations as a matrix of factors: a row for each, a column for each load case; only the rows in view are in the page.
 import { allow, button, fillOptions, h, setRead, setText } from "../../viewer/shared/dom";
-import { verbatim } from "../../viewer/shared/language";
+import { say, verbatim } from "../../viewer/shared/language";
 import type { Store } from "../client/store";
 import { type RowBox, rowsInView } from "../controls/virtual-rows";
 import { type FormContext, setValue } from "../form/context";
@@ -119,7 +119,7 @@ export class Matrix {
     const made = (this.sums?.made ?? []).map((each): Row => ({ ...each, at: null }));
     const all = [...listed, ...made];
     this.rows = all.filter(({ limit_state }) => !this.filter.value || limit_state === this.filter.value);
-    setText(this.count, `${this.rows.length} of ${all.length} shown`);
+    setText(this.count, say("{count} of {all} shown", { count: this.rows.length, all: all.length }));
     refill(this.head, [this.makeHead()]);
     this.table.setAttribute("aria-rowcount", String(this.rows.length + 1));
     refill(
@@ -176,7 +176,10 @@ export class Matrix {
   }
 
   private listedCells(row: Row, at: number): HTMLElement[] {
-    const state = h("select", { "data-key": `state-${at}`, "aria-label": `limit state of combination ${at + 1}` });
+    const state = h("select", {
+      "data-key": `state-${at}`,
+      "aria-label": say("limit state of combination {number}", { number: at + 1 }),
+    });
     fillOptions(
       state,
       STATES.map((each) => [each, each] as const),
@@ -186,8 +189,8 @@ export class Matrix {
     state.addEventListener("change", () => setValue(this.ctx, ["combinations", at, "limit_state"], state.value));
     const remove = button("×", "Remove this combination", () => this.remove(at), "icon");
     remove.dataset.key = `remove-${at}`;
-    setRead(remove, "aria-label", `remove combination ${row.name || at + 1}`);
-    const name = textField(`name-${at}`, `name of combination ${at + 1}`, row.name, (typed) =>
+    setRead(remove, "aria-label", say("remove combination {name}", { name: verbatim(row.name || String(at + 1)) }));
+    const name = textField(`name-${at}`, say("name of combination {number}", { number: at + 1 }), row.name, (typed) =>
       setValue(this.ctx, ["combinations", at, "name"], typed || undefined),
     );
     const unknown = Object.keys(row.factors).filter((each) => !this.cases.includes(each));
@@ -201,7 +204,10 @@ export class Matrix {
   }
 
   private factorField(row: Row, at: number, name: string, n: number): HTMLInputElement {
-    const label = `factor of ${name} in ${row.name || at + 1}`;
+    const label = say("factor of {name} in {combination}", {
+      name: verbatim(name),
+      combination: verbatim(row.name || String(at + 1)),
+    });
     const write = (typed: string, input: HTMLInputElement) => {
       const factor = Number(typed.replace(",", ".").replace("\u2212", "-"));
       if (Number.isFinite(factor)) this.ctx.change(setFactor(this.store.data, at, name, factor));
@@ -224,14 +230,17 @@ export class Matrix {
     const name = String(tableAt(this.store.data, ["combinations", at]).name ?? at + 1);
     const isOnly = listAt(this.store.data, ["combinations"]).length === 1;
     const path: Path = isOnly ? ["combinations"] : ["combinations", at];
-    this.ctx.change({ edits: [{ op: "remove", path }], text: `remove combination ${name}` });
+    this.ctx.change({
+      edits: [{ op: "remove", path }],
+      text: say("remove combination {name}", { name: verbatim(name) }),
+    });
   }
 }
 
 /** Return how many positions a case has, at each of which combinations are solved, with the first and the last one. */
 function positionsNote(positions: readonly string[]): HTMLElement {
   const ends = verbatim(`${positions[0]} … ${positions.at(-1)}`);
-  return h("span", { class: "positions" }, `${positions.length} positions`, h("span", {}, ends));
+  return h("span", { class: "positions" }, say("{count} positions", { count: positions.length }), h("span", {}, ends));
 }
 
 function factorText(factor: number | undefined): string {

@@ -1,6 +1,7 @@
 // The server's HTTP interface.
 
 import type { Messages } from "../../viewer/shared/catalogue";
+import { say } from "../../viewer/shared/language";
 import type { CaseSums, UsualFactors } from "../model/changes/load-cases";
 import type { Change } from "../model/edits";
 import { type Issue, issueLine, type Remark } from "../model/issues";
@@ -357,12 +358,17 @@ function queryOf(subtracted: Subtracted | null): Record<string, string> {
 async function refusal(response: Response): Promise<Error> {
   const { status } = response;
   if ([401, 403].includes(status)) return new Unauthorized("the server does not recognize this page");
-  if ([502, 503, 504].includes(status)) return new Unreachable(`status ${status}`);
+  if ([502, 503, 504].includes(status)) return new Unreachable(say("status {status}", { status }));
   const body = (await response.json().catch(() => null)) as Json;
   if (status === 409 && isTable(body) && "version" in body && "text" in body)
     return new Outdated(body as unknown as DocState);
   const { kind, url } = tableAt(body, ["error"]);
-  return new Refused(messageOf(body) ?? `the server answered ${status}`, status, String(kind ?? ""), String(url ?? ""));
+  return new Refused(
+    messageOf(body) ?? say("the server answered {status}", { status }),
+    status,
+    String(kind ?? ""),
+    String(url ?? ""),
+  );
 }
 
 /** Return the message of a refusal: {"error": {...}} with an issue's parts or a message, or {"detail": ...}. */

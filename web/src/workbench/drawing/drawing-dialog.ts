@@ -1,7 +1,7 @@
 // What is to be made of a drawing: what its layers hold, its unit, its origin; with a small picture of it.
 
 import { button, fill, h, newId, setText } from "../../viewer/shared/dom";
-import { verbatim } from "../../viewer/shared/language";
+import { say, verbatim } from "../../viewer/shared/language";
 import { closeDialog, openDialog } from "../controls/dialogs";
 import {
   contentText,
@@ -57,7 +57,7 @@ class DrawingDialog {
     private readonly resolve: () => void,
   ) {
     this.preview = drawPreview(survey);
-    const title = `Open drawing ${name}`;
+    const title = say("Open drawing {name}", { name: verbatim(name) });
     const form = h(
       "form",
       { method: "dialog", class: "drawing-form" },
@@ -96,7 +96,11 @@ class DrawingDialog {
 
   private layerRow(layer: Layer): HTMLElement {
     const options = ROLES.map(([value, text]) => h("option", { value, selected: value === (layer.role ?? "") }, text));
-    const select = h("select", { "aria-label": `content of layer ${layer.name}` }, ...options);
+    const select = h(
+      "select",
+      { "aria-label": say("content of layer {layer}", { layer: verbatim(layer.name) }) },
+      ...options,
+    );
     this.roles.set(layer, select);
     const content = contentText(layer);
     const name = h(
@@ -119,7 +123,11 @@ class DrawingDialog {
     const { unit } = this.survey;
     const choose = h("option", { value: "" }, "choose …");
     const units = unitsFor(this.survey).map((name) => {
-      return h("option", { value: name, selected: name === unit }, name === unit ? `${name}, from the drawing` : name);
+      return h(
+        "option",
+        { value: name, selected: name === unit },
+        name === unit ? say("{name}, from the drawing", { name: verbatim(name) }) : name,
+      );
     });
     fill(this.unit, unit === null ? choose : null, ...units);
     return h(

@@ -1,5 +1,6 @@
 // Opening a drawing: its layers are read, then a case is made of it, or it is shown below the plan.
 
+import { say, verbatim } from "../../viewer/shared/language";
 import type { Api, DocState, Refused } from "../client/api";
 import type { Store } from "../client/store";
 import { fillAsNew } from "../model/changes/new-items";
@@ -38,7 +39,7 @@ export async function openDrawing(file: string, opener: DrawingOpener): Promise<
   const { api, store } = opener;
   const name = file.replace(/^.*[\\/]/, "");
   let answer: Survey | null = null;
-  store.set("notice", { kind: "info", text: `Reading ${name} …` });
+  store.set("notice", { kind: "info", text: say("Reading {file} …", { file: verbatim(name) }) });
   const isRead = await opener.run(async () => {
     answer = await api.surveyDrawing(file);
     store.set("notice", null);

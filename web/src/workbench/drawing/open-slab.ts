@@ -1,6 +1,7 @@
 // Opening a SAF file or a building model (IFC): one of its slabs becomes a case.
 
 import { button, h, newId, setText } from "../../viewer/shared/dom";
+import { say, verbatim } from "../../viewer/shared/language";
 import type { Api, DocState, Refused, SlabChoice, SlabInFile } from "../client/api";
 import { closeDialog, openDialog } from "../controls/dialogs";
 import { showReport } from "./report";
@@ -30,18 +31,28 @@ export function isBuilding(file: string): boolean {
 /** What is said of a slab where one is chosen. */
 export function slabText(slab: SlabInFile): string {
   const { name, height, sides, problem } = slab;
-  if (height === null || sides === null) return `${name} cannot be read: ${problem ?? ""}`;
-  const [x, y, z] = [...sides, height].map((size) => Number(size.toPrecision(4)));
-  if (slab.storey === undefined) return `${name}: ${x} m by ${y} m at ${z} m${slab.on_ground ? ", on ground" : ""}`;
-  const storey = slab.storey === "" ? "–" : slab.storey;
-  return `${name}: ${x} m by ${y} m, top at ${z} m, storey: ${storey}, columns: ${slab.columns}, walls: ${slab.walls}`;
+  if (height === null || sides === null)
+    return say("{name} cannot be read: {problem}", { name: verbatim(name), problem: problem ?? "" });
+  const [x = 0, y = 0, z = 0] = [...sides, height].map((size) => Number(size.toPrecision(4)));
+  const values = { name: verbatim(name), x, y, z };
+  if (slab.storey === undefined)
+    return say(
+      slab.on_ground ? "{name}: {x} m by {y} m at {z} m, on ground" : "{name}: {x} m by {y} m at {z} m",
+      values,
+    );
+  const { columns = 0, walls = 0 } = slab;
+  const more = { storey: verbatim(slab.storey || "–"), columns, walls };
+  return say("{name}: {x} m by {y} m, top at {z} m, storey: {storey}, columns: {columns}, walls: {walls}", {
+    ...values,
+    ...more,
+  });
 }
 
 /** Ask which slab of a file becomes a case until it has, or the dialog is closed. */
 export function openSlab(file: string, slabs: readonly SlabInFile[], opener: SlabOpener): Promise<void> {
   return new Promise((resolve) => {
     const name = file.replace(/^.*[\\/]/, "");
-    const title = `Open a slab of ${name}`;
+    const title = say("Open a slab of {name}", { name: verbatim(name) });
     const options = slabs.map((slab) =>
       h("option", { value: slab.id, disabled: slab.height === null, title: slabText(slab) }, slabText(slab)),
     );

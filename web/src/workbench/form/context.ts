@@ -1,5 +1,6 @@
 // What the parts of a form share.
 
+import { say } from "../../viewer/shared/language";
 import { namesAxes } from "../model/changes/axis-references";
 import { isReferenced, renameReferences } from "../model/changes/references";
 import type { Memory } from "../model/changes/variants";
@@ -32,7 +33,7 @@ export function setValue(ctx: FormContext, path: Path, value: Json | undefined, 
   if (sameValue(value, old)) return;
   const own: Edit = value === undefined ? { op: "remove", path } : { op: "set", path, value };
   const others = typeof value === "string" ? renameReferences(ctx.data(), path, value) : [];
-  const change: Change = { edits: [own, ...others], text: `change ${describeField(ctx.data(), path)}` };
+  const change: Change = { edits: [own, ...others], text: describeChange(ctx.data(), path) };
   ctx.change(typing ? { ...change, merge: true } : change);
 }
 
@@ -41,10 +42,11 @@ export function isSentWhenComplete(path: Path): boolean {
   return isReferenced(path) || namesAxes(path);
 }
 
-/** What a field is called in the list of edits: `thickness of slab`, `E of ground.layers[1]`. */
-function describeField(data: Table, path: Path): string {
+/** What a change of a field is called in the list of edits: `change thickness of slab`. */
+function describeChange(data: Table, path: Path): string {
   const key = path.findLast((step) => typeof step === "string") ?? "";
   const above = path.slice(0, path.lastIndexOf(key));
-  if (above.length === 0) return String(key);
-  return `${String(key).replaceAll("_", " ")} of ${titleAt(data, above)}`;
+  if (above.length === 0) return say("change {field}", { field: String(key) });
+  const field = String(key).replaceAll("_", " ");
+  return say("change {field} of {item}", { field, item: titleAt(data, above) });
 }

@@ -1,7 +1,7 @@
 // The case file as a form: one section that folds for each key at the top of the file.
 
 import { h, setText } from "../../viewer/shared/dom";
-import { type Text, translate, verbatim } from "../../viewer/shared/language";
+import { counted, type Text, verbatim } from "../../viewer/shared/language";
 import { issuesOfPart } from "../model/issues";
 import { isTable, type Json, type Path, type Table } from "../model/paths";
 import type { Field } from "../model/schema";
@@ -122,13 +122,11 @@ function digestOf(field: Field, data: Table, optional: boolean): Text {
     const counts = Object.entries(value).map(([key, list]) => `${Array.isArray(list) ? list.length : 0} ${key}`);
     return verbatim(counts.join(", "));
   }
-  const layers = Array.isArray(value.layers)
-    ? `${value.layers.length} layer${value.layers.length === 1 ? "" : "s"}`
-    : "";
+  const layers = Array.isArray(value.layers) ? counted(value.layers.length, "{count} layer", "{count} layers") : "";
   const simple = Object.entries(value).filter(
     ([key, each]) => key !== "kind" && !isTable(each) && !(Array.isArray(each) && isTable(each[0])),
   );
   const pieces = simple.slice(0, 3).map(([key, each]) => `${key.replaceAll("_", " ")} ${shortValue(each)}`);
-  const all = [typeof value.kind === "string" ? value.kind : "", translate(layers), ...pieces].filter(Boolean);
+  const all = [typeof value.kind === "string" ? value.kind : "", layers, ...pieces].filter(Boolean);
   return all.length > 0 ? verbatim(all.join(", ")) : "default";
 }

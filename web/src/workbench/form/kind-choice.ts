@@ -1,6 +1,6 @@
 // The choice between the kinds of a table.
 import { h, newId, setOptions, setText } from "../../viewer/shared/dom";
-import { verbatim } from "../../viewer/shared/language";
+import { say, verbatim } from "../../viewer/shared/language";
 import { switchGround } from "../model/changes/ground";
 import { switchKind } from "../model/changes/variants";
 
@@ -21,7 +21,11 @@ export function kindChoice(
     const { edits, notice } = isGround
       ? switchGround(data, from, to, ctx.memory)
       : { edits: switchKind(data, path, from, to, ctx.memory), notice: "" };
-    if (edits.length > 0) ctx.change({ edits, text: `change ${titleAt(ctx.data(), path)} to ${kindText(to)}` });
+    if (edits.length > 0)
+      ctx.change({
+        edits,
+        text: say("change {item} to {kind}", { item: titleAt(ctx.data(), path), kind: kindText(to) }),
+      });
     if (notice) ctx.notify?.(notice);
   },
 ): Widget {

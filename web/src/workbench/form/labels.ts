@@ -1,6 +1,6 @@
 // How keys, symbols and values are written for people.
 
-import { translate } from "../../viewer/shared/language";
+import { say, translate } from "../../viewer/shared/language";
 import { symbolElement } from "../../viewer/shared/symbols";
 import { isTable, type Json, type Table } from "../model/paths";
 import type { Field, Part } from "../model/schema";
@@ -29,7 +29,8 @@ export function heading(name: string): string {
 /** A value of the file as short text. */
 export function shortValue(value: Json | undefined): string {
   if (value === undefined || value === null) return "";
-  if (Array.isArray(value)) return value.length <= 3 ? value.map(shortValue).join(", ") : `${value.length} values`;
+  if (Array.isArray(value))
+    return value.length <= 3 ? value.map(shortValue).join(", ") : say("{count} values", { count: value.length });
   if (isTable(value)) return "";
   if (typeof value === "number") return String(Number(value.toPrecision(6)));
   return String(value);

@@ -1,6 +1,7 @@
 // The layers of the ground, to scale in depth: what the lists beside it say, at one glance.
 
 import { fill, setRead, svg } from "../../viewer/shared/dom";
+import { say, together } from "../../viewer/shared/language";
 import { isTable, listAt, type Path, type Table, tableAt, valueAt } from "../model/paths";
 import { parseLength } from "../model/quantities";
 import type { Part } from "../model/schema";
@@ -27,7 +28,16 @@ export function layersPicture(ctx: FormContext, path: Path): Widget {
   const update = () => {
     const layers = layersToDraw(tableAt(ctx.data(), path));
     element.toggleAttribute("hidden", layers.length === 0);
-    setRead(element, "aria-label", `layers, from the top: ${layers.map((layer) => layer.label).join("; ")}`);
+    setRead(
+      element,
+      "aria-label",
+      say("layers, from the top: {layers}", {
+        layers: together(
+          layers.map(({ label }) => label),
+          "; ",
+        ),
+      }),
+    );
     fill(element, ...layers.flatMap(drawLayer));
     if (layers.length > 0 && !layers.at(-1)?.endless) element.append(drawBase());
   };
@@ -48,13 +58,17 @@ export function layersToDraw(ground: Table): Layer[] {
     height: (space * (thickness[index] ?? 0)) / depth,
     endless: false,
   }));
-  const last = { label: `${moduliOf(below)}, half-space`, height: layers.length > 0 ? BELOW : HEIGHT, endless: true };
+  const last = {
+    label: say("{moduli}, half-space", { moduli: moduliOf(below) }),
+    height: layers.length > 0 ? BELOW : HEIGHT,
+    endless: true,
+  };
   return endless ? [...found, last] : found;
 }
 
 function moduliOf(layer: Table): string {
-  const bottom = layer.E_bottom === undefined ? "" : ` to ${shortValue(layer.E_bottom)}`;
-  return `E = ${shortValue(layer.E)}${bottom}`;
+  const [from, to] = [shortValue(layer.E), layer.E_bottom];
+  return `E = ${to === undefined ? from : say("{from} to {to}", { from, to: shortValue(to) })}`;
 }
 
 function drawLayer(layer: Layer, index: number, all: readonly Layer[]): SVGElement[] {

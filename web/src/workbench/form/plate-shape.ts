@@ -1,6 +1,7 @@
 // The slab's outline: a rectangle about the origin, or a shape that is drawn where it lies.
 
 import { h, newId } from "../../viewer/shared/dom";
+import { say } from "../../viewer/shared/language";
 import { outlineEdits } from "../model/changes/new-items";
 import { defaultPlacement } from "../model/changes/variants";
 import type { Edit } from "../model/edits";
@@ -40,7 +41,7 @@ export function plateShape(ctx: FormContext): Widget {
   select.addEventListener("change", () => {
     const edits = select.value === SIDES ? sidesEdits(ctx) : shapeEdits(ctx, select.value);
     const name = select.value === SIDES ? "rectangle centered on the origin" : select.value.toLowerCase();
-    ctx.change({ edits, text: `change the slab's outline to a ${name}` });
+    ctx.change({ edits, text: say("change the slab's outline to a {shape}", { shape: name }) });
   });
   const update = () => {
     const table = tableAt(ctx.data(), ["plate"]);

@@ -1,5 +1,7 @@
 // Buttons that repair an issue, where its repair is known.
+
 import { button, h } from "../../viewer/shared/dom";
+import { say } from "../../viewer/shared/language";
 import type { Change } from "../model/edits";
 import type { Issue } from "../model/issues";
 
@@ -15,9 +17,13 @@ export function repairButtons(issue: Issue, push: Push, done: () => void): HTMLE
       push({ edits, text: `${label}${location ? ` (${location})` : ""}` });
       done();
     };
-    return button(capitalize(label), `Fix ${location}: ${label}`, choose, "small");
+    return button(capitalize(label), say("Fix {location}: {label}", { location, label }), choose, "small");
   });
-  return h("span", { class: "repairs", role: "group", "aria-label": `fixes for ${location}` }, ...buttons);
+  return h(
+    "span",
+    { class: "repairs", role: "group", "aria-label": say("fixes for {location}", { location }) },
+    ...buttons,
+  );
 }
 
 /** Return a text with a capital, unless it starts with a number or a key. */

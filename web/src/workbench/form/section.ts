@@ -1,5 +1,7 @@
 // A table of the case file: its fields, and the tables and lists in it.
+
 import { button, fill, h, newId } from "../../viewer/shared/dom";
+import { say } from "../../viewer/shared/language";
 import { defaultPlacement } from "../model/changes/variants";
 import { defaultsFor, hasDefaults } from "../model/defaults";
 import { issuesOfPart } from "../model/issues";
@@ -100,14 +102,14 @@ function subPart(ctx: FormContext, path: Path, field: Field, node: Node, bare: b
     if (!part) return;
     const kind = part.kind ? { kind: part.kind } : {};
     const value = { ...kind, ...defaultsFor(part.name, ctx.data()), ...defaultPlacement(ctx.data(), path, part) };
-    ctx.change({ edits: [{ op: "set", path, value }], text: `add ${name}` });
+    ctx.change({ edits: [{ op: "set", path, value }], text: say("add {item}", { item: name }) });
     inner.element.querySelector<HTMLElement>("input, select, button:not([hidden])")?.focus();
   };
   const remove = () => {
-    ctx.change({ edits: [{ op: "remove", path }], text: `remove ${name}` });
+    ctx.change({ edits: [{ op: "remove", path }], text: say("remove {item}", { item: name }) });
     addButton.focus();
   };
-  const addButton = button(`Add ${name}`, "", insert, "small");
+  const addButton = button(say("Add {item}", { item: name }), "", insert, "small");
   const removeButton = button("Remove", "", remove, "small quiet");
   const hint = h("span", { class: "hint" }, field.hint);
   const title = bare ? hint : h("h4", { title: field.hint }, heading(name), hint);

@@ -1,5 +1,5 @@
 // What is known of a field: its meaning, unit, range and default, from the schema of the case file.
-import { translate } from "../../viewer/shared/language";
+import { say, translate } from "../../viewer/shared/language";
 import { defaultText, hintOf, labelOf } from "../form/labels";
 import { type Json, type Path, type Table, valueAt } from "../model/paths";
 import { exampleOf, type Field, type Node, type Part, type Schema } from "../model/schema";
@@ -51,11 +51,14 @@ function writtenDefault(value: Json | undefined): string {
 function kindOfValue(node: Node, data: Table): string {
   switch (node.is) {
     case "quantity":
-      return [`${node.dimension}, such as ${exampleOf(node, data)}`, ...node.options].join(" or ");
+      return [
+        say("{dimension}, such as {example}", { dimension: node.dimension, example: exampleOf(node, data) }),
+        ...node.options,
+      ].join(" or ");
     case "choice":
       return node.options.join(", ");
     case "choices":
-      return `any of ${node.options.join(", ")}`;
+      return say("any of {options}", { options: node.options.join(", ") });
     case "number":
       return ["number", ...node.options].join(" or ");
     case "integer":
@@ -63,10 +66,10 @@ function kindOfValue(node: Node, data: Table): string {
     case "boolean":
       return "true or false";
     case "tuple":
-      return `${node.length} values: ${kindOfValue(node.each, data)}`;
+      return say("{count} values: {values}", { count: node.length, values: kindOfValue(node.each, data) });
     case "values":
     case "points":
-      return `list: ${kindOfValue(node.each, data)}`;
+      return say("list: {values}", { values: kindOfValue(node.each, data) });
     case "factors":
       return "a number for each load case";
     default:

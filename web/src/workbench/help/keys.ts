@@ -1,5 +1,7 @@
 // Help: the keys of the page.
+
 import { button, h, newId } from "../../viewer/shared/dom";
+import { say } from "../../viewer/shared/language";
 import { closeDialog, openDialog } from "../controls/dialogs";
 import { FORMS } from "../plan/actions/forms";
 import { GENERATORS } from "../plan/generators/generators";
@@ -23,7 +25,12 @@ const DRAWING: readonly KeyRow[] = [
   ["Arrows, Shift+arrows", "move the selection by one step or by ten; with no selection, pan"],
   ["Ctrl+A, Shift+click", "select everything except the slab; add to the selection"],
   ["Ctrl+C, Ctrl+X, Ctrl+V, Ctrl+D", "copy, cut, paste, duplicate"],
-  ...FORMS.map(({ key, label }): KeyRow => [key, `${label.toLowerCase()} the selected items by entering values`]),
+  ...FORMS.map(
+    ({ key, label }): KeyRow => [
+      key,
+      say("{label} the selected items by entering values", { label: label.toLowerCase() }),
+    ],
+  ),
   ["Delete", "delete the selected item or corner"],
   ["Enter, Escape", "finish the shape being drawn, discard it"],
   ["+, -, 0, Z", "zoom in, zoom out, show everything, toggle axes and dimensions"],

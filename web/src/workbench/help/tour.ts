@@ -1,5 +1,7 @@
 // A tour of five steps, shown at the first start: a box beside each control, with what it is for.
+
 import { button, h, newId, setText } from "../../viewer/shared/dom";
+import { say } from "../../viewer/shared/language";
 import { readStored, writeStored } from "../../viewer/shared/storage";
 import { closeDialog, openDialog } from "../controls/dialogs";
 import { type Box, placeBeside } from "./placement";
@@ -88,7 +90,7 @@ export function startTour(show: (view: "plan" | "form") => void): void {
     document.querySelector(target)?.scrollIntoView({ block: "nearest" });
     setText(title, name);
     setText(text, words);
-    setText(count, `${now + 1} of ${STEPS.length}`);
+    setText(count, say("{number} of {count}", { number: now + 1, count: STEPS.length }));
     setText(next, now === STEPS.length - 1 ? "Done" : "Next");
     back.disabled = now === 0;
     skip.hidden = now === STEPS.length - 1;

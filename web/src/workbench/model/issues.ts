@@ -1,4 +1,5 @@
 // Issues of the case file: which field they belong to, and what they say.
+import { counted, keep, say, together } from "../../viewer/shared/language";
 import type { Edit } from "./edits";
 import { type Path, startsWith } from "./paths";
 import type { Part } from "./schema";
@@ -55,28 +56,30 @@ export type IssueText = Pick<Issue, "found" | "expected" | "hint">;
 /** Return what is wrong. */
 export function issueText({ found, expected, hint }: IssueText): string {
   if (found === "nothing" && expected === "a table [ground]") return "choose a kind";
-  if (found === "nothing") return hint ? `not given yet — ${hint}` : `not given yet; expected ${expected}`;
-  return `found ${found}, expected ${expected}${hint ? ` — ${hint}` : ""}`;
+  if (found === "nothing")
+    return hint ? say("not given yet — {hint}", { hint }) : say("not given yet; expected {expected}", { expected });
+  const values = { found, expected, hint };
+  return say(hint ? "found {found}, expected {expected} — {hint}" : "found {found}, expected {expected}", values);
 }
 
 /** Return what is wrong as a sentence. */
 export function issueSentence(issue: IssueText): string {
   const text = issueText(issue);
-  return `${text.charAt(0).toUpperCase()}${text.slice(1)}${/[.?!]$/.test(text) ? "" : "."}`;
+  return keep(`${text.charAt(0).toUpperCase()}${text.slice(1)}${/[.?!]$/.test(text) ? "" : "."}`);
 }
 
 /** Return where and what is wrong. */
 export function issueLine(issue: IssueText & Pick<Issue, "location">): string {
-  return `${issue.location ? `${issue.location}: ` : ""}${issueText(issue)}`;
+  return together([issue.location, issueText(issue)], ": ");
 }
 
 /** Return how many issues there are, empty for none. */
 export function issueCount(count: number): string {
-  return count === 0 ? "" : count === 1 ? "1 error" : `${count} errors`;
+  return count === 0 ? "" : counted(count, "1 error", "{count} errors");
 }
 
 /** Return how many issues and remarks there are. */
 export function countText(issues: number, remarks: number): string {
-  const words = remarks === 1 ? "1 remark" : `${remarks} remarks`;
-  return issueCount(issues) || (remarks > 0 ? `No errors, ${words}` : "No errors");
+  const words = counted(remarks, "1 remark", "{count} remarks");
+  return issueCount(issues) || (remarks > 0 ? say("No errors, {remarks}", { remarks: words }) : "No errors");
 }

@@ -1,6 +1,7 @@
 // Items of the case file that have a place in plan.
 
 import type { Kind } from "../../viewer/plan/symbols";
+import { counted, say, together, verbatim } from "../../viewer/shared/language";
 import {
   boundsOf,
   type Geometry,
@@ -144,7 +145,8 @@ function readOwn(data: Table, at: Path, table: Table, path: Path): Geometry | nu
 function titleOf(word: string, table: Table, position: number): string {
   const kinds =
     word === "load" || word === "support" ? `${typeof table.kind === "string" ? table.kind : ""} ${word}`.trim() : word;
-  return typeof table.name === "string" && table.name ? `${kinds} ${table.name}` : `${kinds} ${position + 1}`;
+  const name = typeof table.name === "string" ? table.name : "";
+  return say(`${kinds} {name}`, { name: verbatim(name || String(position + 1)) });
 }
 
 /** Return the title of the item at a path, also of one without a place in plan. */
@@ -152,7 +154,7 @@ export function titleAt(data: Table, path: Path): string {
   const source = sourcesOf(data).find((each) => samePath(each.list, path.slice(0, -1)));
   const position = path.at(-1);
   if (source && typeof position === "number") return titleOf(source.word ?? source.kind, tableAt(data, path), position);
-  if (path[0] === "axes" && typeof position === "number") return `axes ${position + 1}`;
+  if (path[0] === "axes" && typeof position === "number") return say("axes {number}", { number: position + 1 });
   return path[0] === "plate" && path.length < 3 ? "slab" : formatPath(path);
 }
 
@@ -227,7 +229,10 @@ export function countItems(items: readonly { kind: string; title: string }[]): s
   if (items.length === 1) return items[0]!.title;
   const counts = new Map<string, number>();
   for (const { kind } of items) counts.set(kind, (counts.get(kind) ?? 0) + 1);
-  return [...counts].map(([kind, count]) => `${count} ${count === 1 ? kind : severalOf(kind)}`).join(", ");
+  return together(
+    [...counts].map(([kind, count]) => counted(count, `{count} ${kind}`, `{count} ${severalOf(kind)}`)),
+    ", ",
+  );
 }
 
 /** Return the plural of what items are called. */

@@ -1,5 +1,6 @@
 // The JSON schema of the case file, read into what a form needs of it.
 
+import { say } from "../../viewer/shared/language";
 import { isTable, type Json, listAt, type Table, tableAt } from "./paths";
 
 /** What a value is, and so which element edits it. */
@@ -102,7 +103,7 @@ export function whyIdle(part: Part, field: Field, table: Table): string {
     const other = part.fields.find(({ name }) => name === key);
     return (table[key] ?? other?.default) !== value;
   });
-  return needed ? `Only where ${needed[0]} is ${String(needed[1])}.` : "";
+  return needed ? say("Only where {field} is {value}.", { field: needed[0], value: String(needed[1]) }) : "";
 }
 
 function readPart(name: string, source: Table): Part {

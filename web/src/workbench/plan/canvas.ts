@@ -7,6 +7,7 @@ import { Motion } from "../../viewer/plan/navigation";
 import { drawGrid, drawRulers, RULER, stepOf } from "../../viewer/plan/rulers";
 import { drawPath, drawText } from "../../viewer/plan/symbols";
 import { h, keepChildren, svg } from "../../viewer/shared/dom";
+import { say, verbatim } from "../../viewer/shared/language";
 import { readStored, writeStored } from "../../viewer/shared/storage";
 import type { Store } from "../client/store";
 import { type Axis, axesIn, crossingsOf, distanceTo, nearestOn } from "../model/axes";
@@ -202,7 +203,12 @@ export class Canvas {
     const snapped = snap({ at, points, step: this.step, reach: this.reach });
     const near = axes.filter((axis) => distanceTo(axis, at) <= this.reach * 0.75);
     if (near[0] && !snapped.onPoint && !snapped.fromX && !snapped.fromY)
-      return { ...snapped, at: nearestOn(near[0], snapped.at), onPoint: true, name: `axis ${near[0].name}` };
+      return {
+        ...snapped,
+        at: nearestOn(near[0], snapped.at),
+        onPoint: true,
+        name: say("axis {name}", { name: verbatim(near[0].name) }),
+      };
     const name = snapped.onPoint ? places.find((place) => place.at === snapped.at)?.name : undefined;
     return name ? { ...snapped, name } : snapped;
   }

@@ -1,5 +1,7 @@
 // The fields that several selected items have in common, edited all at once.
+
 import { h, setRead } from "../../viewer/shared/dom";
+import { say } from "../../viewer/shared/language";
 import type { FormContext, Widget } from "../form/context";
 import { nodeWidget } from "../form/section";
 import { applyOptimistic } from "../model/changes/optimistic-edits";
@@ -71,7 +73,14 @@ export function repeatChange(data: Table, change: Change, paths: readonly Path[]
     return paths.map((path): Edit => ({ ...edit, path: [...path, ...edit.path.slice(first.length)] }));
   });
   const key = change.edits.flatMap((edit) => ("path" in edit ? edit.path.slice(first.length) : []))[0];
-  return { ...change, edits, text: `change ${String(key ?? "").replaceAll("_", " ")} of ${titleOfAll(data, paths)}` };
+  return {
+    ...change,
+    edits,
+    text: say("change {field} of {item}", {
+      field: String(key ?? "").replaceAll("_", " "),
+      item: titleOfAll(data, paths),
+    }),
+  };
 }
 
 /** Say in an empty field that its values differ. */

@@ -1,5 +1,6 @@
 // The fields that a dialog of the plan asks for, and what is read from them.
 
+import { say, verbatim } from "../../viewer/shared/language";
 import { Impossible } from "../model/changes/transform";
 import { parseTyped, replaceDecimalComma } from "../model/quantities";
 
@@ -50,27 +51,32 @@ export function force(key: string, label: string, initial: string): ActionField 
 export function lengthOf(values: Values, key: string): number {
   const text = values[key] ?? "";
   const found = parseTyped(text);
-  if (found === null) throw new Impossible(`${key}: found "${text}", expected a length such as "1.5 m"`);
+  if (found === null) refuse('{key}: found "{text}", expected a length such as "1.5 m"', key, text);
   return found;
+}
+
+/** Throw that a field cannot have what is typed into it, by a message with holes for both. */
+export function refuse(template: string, key: string, text: string): never {
+  throw new Impossible(say(template, { key: verbatim(key), text: verbatim(text) }));
 }
 
 /** Return a length above 0 [m]. */
 export function sizeOf(values: Values, key: string): number {
   const found = lengthOf(values, key);
-  if (found <= 0) throw new Impossible(`${key}: found "${values[key]}", expected a length above 0`);
+  if (found <= 0) refuse('{key}: found "{text}", expected a length above 0', key, values[key]!);
   return found;
 }
 
 export function angleOf(values: Values, key: string): number {
   const text = values[key] ?? "";
   const found = Number(text.replace(/\s*(°|deg)\s*$/, "").replace(",", ".") || Number.NaN);
-  if (!Number.isFinite(found)) throw new Impossible(`${key}: found "${text}", expected an angle in degrees such as 30`);
+  if (!Number.isFinite(found)) refuse('{key}: found "{text}", expected an angle in degrees such as 30', key, text);
   return found;
 }
 
 export function countOf(values: Values, key: string): number {
   const text = (values[key] ?? "").trim();
-  if (!/^[1-9]\d{0,3}$/.test(text)) throw new Impossible(`${key}: found "${text}", expected a whole number from 1`);
+  if (!/^[1-9]\d{0,3}$/.test(text)) refuse('{key}: found "{text}", expected a whole number from 1', key, text);
   return Number(text);
 }
 
@@ -86,7 +92,7 @@ export function lengthsOf(values: Values, key: string): number[] {
     return Array<number>(Number(times)).fill(parseTyped(one) ?? Number.NaN);
   });
   if (!found.every((each) => each > 0) || (found.length === 0 && text.trim() !== ""))
-    throw new Impossible(`${key}: found "${text}", expected distances such as 6 6 5.4, or 3x6`);
+    refuse('{key}: found "{text}", expected distances such as 6 6 5.4, or 3x6', key, text);
   return found;
 }
 
@@ -101,14 +107,15 @@ export function forceOf(values: Values, key: string): Force {
   const text = values[key] ?? "";
   const [, number = "", unit = ""] = /^([+-]?[\d.,eE+-]*\d)\s*([A-Za-z]*)$/.exec(text.trim()) ?? [];
   const value = Number(replaceDecimalComma(number) || Number.NaN);
-  if (!Number.isFinite(value)) throw new Impossible(`${key}: found "${text}", expected a force such as "60 kN"`);
+  if (!Number.isFinite(value)) refuse('{key}: found "{text}", expected a force such as "60 kN"', key, text);
   return { value, unit: unit || "kN" };
 }
 
 /** Return a force in newtons. */
 export function newtonsOf({ value, unit }: Force): number {
   const size = NEWTONS[unit];
-  if (size === undefined) throw new Impossible(`found a force in ${unit}, expected N, kN, MN, lbf or kip`);
+  if (size === undefined)
+    throw new Impossible(say("found a force in {unit}, expected N, kN, MN, lbf or kip", { unit }));
   return value * size;
 }
 
@@ -117,6 +124,6 @@ export function pressureOf(values: Values, key: string): number {
   const text = values[key] ?? "";
   const [, number = "", unit = ""] = /^([\d.,]*\d)\s*([A-Za-z]*(?:\/mm2|\/m2)?)$/.exec(text.trim()) ?? [];
   const pressure = Number(replaceDecimalComma(number) || Number.NaN) * (PASCALS[unit || "MPa"] ?? Number.NaN);
-  if (!(pressure > 0)) throw new Impossible(`${key}: found "${text}", expected a pressure such as "0.8 MPa"`);
+  if (!(pressure > 0)) refuse('{key}: found "{text}", expected a pressure such as "0.8 MPa"', key, text);
   return pressure;
 }

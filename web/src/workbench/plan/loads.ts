@@ -1,6 +1,6 @@
 // Loads beside the drawing: the load case that stands out, and loads without a place in plan.
 import { allow, button, fillOptions, h, setText } from "../../viewer/shared/dom";
-import { type Text, translate, verbatim } from "../../viewer/shared/language";
+import { say, type Text, translate, verbatim } from "../../viewer/shared/language";
 import type { Store } from "../client/store";
 import { scrollingBar } from "../controls/scrolling-bar";
 import { defaultsFor } from "../model/defaults";
@@ -69,7 +69,7 @@ export function unplacedLoads(store: Store, push: (change: Change) => void, { lo
   ].map(([definition = "", text = ""]) =>
     button(
       verbatim(`+ ${translate(text)}`),
-      `Add ${text}`,
+      say("Add {item}", { item: text }),
       () => addLoad(store, push, definition, text, loadCase()),
       "chip add",
     ),
@@ -122,6 +122,6 @@ function addLoad(
   const name = loadCase || namesIn(listAt(store.data, ["cases"]))[0];
   const value = { ...defaultsFor(definition, store.data), ...(name ? { case: name } : {}) };
   const path: Path = ["loads", listAt(store.data, ["loads"]).length];
-  push({ edits: [{ op: "add", path: ["loads"], value }], text: `add ${text}` });
+  push({ edits: [{ op: "add", path: ["loads"], value }], text: say("add {item}", { item: text }) });
   store.select(path);
 }

@@ -1,5 +1,7 @@
 // What a new load case is asked for: its name, its action, and where loads belong that had no case before the first one.
+
 import { fillOptions, h, setRead } from "../../viewer/shared/dom";
+import { counted } from "../../viewer/shared/language";
 import type { Store } from "../client/store";
 import { CASE_TYPES, caseOf, meaningOf, usualName } from "../model/changes/load-cases";
 import { addLoadCase, countUncased } from "../model/changes/new-items";
@@ -30,7 +32,7 @@ export function newCase(store: Store, push: (change: Change) => void, done: (nam
     name.value = "";
     fillOptions(action, [["", "action?"], ...CASE_TYPES.map(({ id, label }) => [id, label] as const)]);
     const count = countUncased(store.data);
-    const words = count === 1 ? "the existing load?" : `the ${count} existing loads?`;
+    const words = counted(count, "the existing load?", "the {count} existing loads?");
     fillOptions(others, [
       ["", words],
       ["in it", "in this case"],

@@ -1,5 +1,7 @@
 // The drawing with its tools, keys and properties.
+
 import { button, h, setText } from "../../viewer/shared/dom";
+import { say } from "../../viewer/shared/language";
 import type { Store } from "../client/store";
 import type { FormContext } from "../form/context";
 import { joinEdits } from "../model/changes/batches";
@@ -150,8 +152,8 @@ function viewButtons(canvas: Canvas): HTMLButtonElement[] {
 function describeSelection(canvas: Canvas): string | null {
   const items = canvas.selectedItems;
   const item = canvas.selected;
-  if (items.length > 1) return `${countItems(items)} selected. ${HOW_MANY}`;
+  if (items.length > 1) return say("{items} selected. {how}", { items: countItems(items), how: HOW_MANY });
   if (!item) return null;
   const how = item.movable ? "Drag it or use the arrow keys to move it; press Delete to remove it." : whyFixed(item);
-  return `${item.title} is selected. ${how}`;
+  return say("{item} is selected. {how}", { item: item.title, how });
 }

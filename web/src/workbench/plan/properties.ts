@@ -1,5 +1,7 @@
 // The selected items' properties and actions below the drawing; the slab's where nothing is selected.
+
 import { button, fill, h, setText } from "../../viewer/shared/dom";
+import { say } from "../../viewer/shared/language";
 import type { FormContext, Widget } from "../form/context";
 import { shapeEdits } from "../form/plate-shape";
 import { partWidget } from "../form/section";
@@ -62,7 +64,7 @@ export function propertyPanel(
     if (!widget || !first) return;
     const isPlate = shown.length === 1 && first.length === 1;
     const words = isPlate ? "Slab" : titleOfAll(ctx.data(), shown);
-    setText(title, shown.length > 1 ? `${words} selected` : words);
+    setText(title, shown.length > 1 ? say("{items} selected", { items: words }) : words);
     toPolygon.hidden = valueAt(ctx.data(), ["plate", "outline", "kind"]) === "polygon";
     widget.update();
   };

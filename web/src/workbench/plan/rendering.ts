@@ -1,10 +1,12 @@
 // The drawing of the case file's items, and the marks around the selected one.
+
 import { withMinus } from "../../viewer/data/numbers";
 import { distanceBetween } from "../../viewer/data/points";
 import type { Camera } from "../../viewer/plan/camera";
 import { drawSymbol, drawText, type PlanSymbol } from "../../viewer/plan/symbols";
 import { thinLoads, thinTexts } from "../../viewer/plan/thinning";
 import { svg } from "../../viewer/shared/dom";
+import { say } from "../../viewer/shared/language";
 import { caseColor } from "../model/case-colors";
 import { isClosed, type Point, type Ring, readGeometry, ringOf } from "../model/geometry";
 import type { Item } from "../model/items";
@@ -147,7 +149,7 @@ function loadTexts(item: Item, here: readonly Item[], { selected, hovered, loadC
   );
   if (item !== (marked ?? strong[0] ?? here[0])) return null;
   const named = marked && strong.length === 0 ? [marked] : strong;
-  return marked || strong.length < 2 ? named.map(loadText) : [`${strong.length} loads`];
+  return marked || strong.length < 2 ? named.map(loadText) : [say("{count} loads", { count: strong.length })];
 }
 
 /** Return a load's name and size. */

@@ -1,6 +1,7 @@
 // Importing a table of reactions: what it changes is shown, then it is taken as one step of undo.
 
 import { button, fill, h, newId, setText } from "../../viewer/shared/dom";
+import { say, verbatim } from "../../viewer/shared/language";
 import type { Api, Refused } from "../client/api";
 import type { Store } from "../client/store";
 import { closeDialog, openDialog } from "../controls/dialogs";
@@ -65,7 +66,7 @@ class ReactionDialog {
     private readonly importer: ReactionImporter,
     private readonly resolve: () => void,
   ) {
-    const title = `Import reactions from ${file.replace(/^.*[\\/]/, "")}`;
+    const title = say("Import reactions from {file}", { file: verbatim(file.replace(/^.*[\\/]/, "")) });
     const form = h(
       "form",
       { method: "dialog", class: "reactions-form" },

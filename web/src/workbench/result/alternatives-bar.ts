@@ -1,5 +1,7 @@
 // The line that tries alternatives to the design, and takes one of them into the case.
+
 import { allow, button, fillOptions, h } from "../../viewer/shared/dom";
+import { say, verbatim } from "../../viewer/shared/language";
 import { type Api, Refused } from "../client/api";
 import type { Store } from "../client/store";
 import type { Change } from "../model/edits";
@@ -50,7 +52,10 @@ export class AlternativesBar {
   private takeChosen(): void {
     const value = this.cases[this.choice.value];
     if (value !== undefined && this.isFresh()) {
-      this.push({ edits: [{ op: "text", value }], text: `take the alternative ${this.choice.value}` });
+      this.push({
+        edits: [{ op: "text", value }],
+        text: say("take the alternative {name}", { name: verbatim(this.choice.value) }),
+      });
     }
   }
 

@@ -1,6 +1,8 @@
 // Buttons that add a section which was cut in the picture to the case: as a section line, or as a design strip.
+
 import type { SectionLine } from "../../viewer/panels/section-panel";
 import { button, h } from "../../viewer/shared/dom";
+import { say, verbatim } from "../../viewer/shared/language";
 import type { Store } from "../client/store";
 import { addLine } from "../model/changes/new-items";
 import type { Change } from "../model/edits";
@@ -13,7 +15,10 @@ export function addStrip(data: Table, { start, end }: Pick<SectionLine, "start" 
   const name = freeName(namesIn(listAt(data, ["output", "strips"])), "strip 1");
   const place = (point: SectionLine["start"]) => point.map((coordinate) => formatLength(coordinate));
   const value = { name, start: place(start), end: place(end), width };
-  return { edits: [{ op: "add", path: ["output", "strips"], value }], text: `add strip ${name}` };
+  return {
+    edits: [{ op: "add", path: ["output", "strips"], value }],
+    text: say("add strip {name}", { name: verbatim(name) }),
+  };
 }
 
 /** Make the buttons; `set` says which section they keep, null if there is none or it is in the case already. */

@@ -3,7 +3,7 @@
 import { isDifference } from "../../viewer/data/fields";
 import { decodeScene, type Scene } from "../../viewer/data/scene";
 import { fill, h, setText } from "../../viewer/shared/dom";
-import { verbatim } from "../../viewer/shared/language";
+import { say, verbatim } from "../../viewer/shared/language";
 import type { Api, Subtracted } from "../client/api";
 
 /** What the choice needs of the server. */
@@ -102,7 +102,7 @@ export class Minus {
     const options = values.map((value) =>
       value === REFERENCE
         ? h("option", { value }, "minus the reference")
-        : h("option", { value }, `minus ${value.slice(COMBINATION.length)}`),
+        : h("option", { value }, say("minus {name}", { name: verbatim(value.slice(COMBINATION.length)) })),
     );
     fill(this.select, h("option", { value: "" }, "minus nothing"), ...options);
     this.select.value = this.chosen;

@@ -1,8 +1,10 @@
 // The picture of the result, in its place that of a preview or of a reference; items of the model are selected in it.
+
 import { choiceName, combinationsOf, fieldOf, fieldsOf, isDifference, isEnvelope } from "../../viewer/data/fields";
 import type { Point, Scene } from "../../viewer/data/scene";
 import { ResultView, type ResultViewHooks } from "../../viewer/panels/result-view";
 import { fill, h } from "../../viewer/shared/dom";
+import { say, verbatim } from "../../viewer/shared/language";
 import type { Api, CombinationSummary } from "../client/api";
 import type { ShownResult, Store } from "../client/store";
 import { formatPath, parsePath } from "../model/paths";
@@ -130,7 +132,11 @@ export class Picture {
   /** Say over the picture why the combination shown has none. */
   tellRefused(one: CombinationSummary | null): void {
     this.refused.hidden = one === null || one.refused === null;
-    fill(this.refused, h("h3", {}, `${one?.name ?? ""} has no solution`), h("p", {}, one?.refused ?? ""));
+    fill(
+      this.refused,
+      h("h3", {}, say("{name} has no solution", { name: verbatim(one?.name ?? "") })),
+      h("p", {}, one?.refused ?? ""),
+    );
   }
 
   /** Show what a cell of a table leads to: its field, its combination, its place; the item it names is selected. */

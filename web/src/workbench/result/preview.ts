@@ -1,8 +1,10 @@
 // Picture and figures of a run that has no results yet: of one combination on a coarser mesh, and marked as that; and the
 // mark of provisional results.
+
 import { decodeScene } from "../../viewer/data/scene";
 import type { ResultView } from "../../viewer/panels/result-view";
 import { h, setText } from "../../viewer/shared/dom";
+import { say } from "../../viewer/shared/language";
 import { type Api, type CombinationSummary, Lost, Refused } from "../client/api";
 import type { Store } from "../client/store";
 
@@ -56,7 +58,7 @@ export class Preview {
     try {
       const scene = decodeScene(await this.api.preview(preview.run));
       if (this.store.preview !== preview) return;
-      this.mark(`Preview ${preview.words}`);
+      this.mark(say("Preview {items}", { items: preview.words }));
       this.label.classList.remove("provisional");
       this.figures = preview.figures;
       this.store.set("drawn", { run: preview.run, isPreview: true });

@@ -1,7 +1,9 @@
 // A result that was kept as reference: its figures beside those of the result shown, with differences.
+
 import { withMinus } from "../../viewer/data/numbers";
 import type { Scene } from "../../viewer/data/scene";
 import { button, fill, h } from "../../viewer/shared/dom";
+import { say, verbatim } from "../../viewer/shared/language";
 import { symbolElement } from "../../viewer/shared/symbols";
 import type { CombinationSummary, Summary } from "../client/api";
 
@@ -44,8 +46,8 @@ function figuresOf({ combinations, design }: Summary, name: string): Map<string,
         figures.set(`${section.title} ${label} ${symbol} ${unit}`, { label, symbol, unit, value: String(value) });
   for (const check of design?.checks ?? [])
     if (check.utilisation !== null)
-      figures.set(`check ${check.name}`, {
-        label: `utilisation, ${check.name}`,
+      figures.set(say("check {check}", { check: check.name }), {
+        label: say("utilisation, {check}", { check: check.name }),
         symbol: "",
         unit: "",
         value: check.utilisation.toFixed(2),
@@ -99,7 +101,10 @@ export class Reference {
       h("thead", {}, h("tr", {}, ...heads)),
       h("tbody", {}, ...figures.map(makeRow)),
     );
-    const words = `Combination ${combination}: nothing to compare. The reference has no combination of this name, or neither has figures.`;
+    const words = say(
+      "Combination {combination}: nothing to compare. The reference has no combination of this name, or neither has figures.",
+      { combination: verbatim(combination) },
+    );
     fill(this.panel, this.pictureButton, figures.length > 0 ? table : h("p", { class: "empty" }, words));
   }
 

@@ -1,7 +1,9 @@
 // The right half of the page: the result as a picture, and below it summary, values and tables.
+
 import { isEnvelope } from "../../viewer/data/fields";
 import { decodeScene, type Point, SceneError } from "../../viewer/data/scene";
 import { h } from "../../viewer/shared/dom";
+import { say } from "../../viewer/shared/language";
 import { type Api, Lost, Refused, type Summary } from "../client/api";
 import type { Store } from "../client/store";
 import { splitter } from "../controls/splitter";
@@ -201,7 +203,7 @@ export class ResultPanel {
   private handleError(error: unknown): void {
     if (error instanceof Lost) this.onLost(error);
     else if (error instanceof Refused || error instanceof SceneError)
-      this.store.set("notice", { kind: "bad", text: `The result cannot be shown: ${error.message}` });
+      this.store.set("notice", { kind: "bad", text: say("The result cannot be shown: {why}", { why: error.message }) });
     else throw error;
   }
 

@@ -1,6 +1,6 @@
 // The tabs of tables below the picture: which tables each has; a table is asked for when it is first seen.
 import { fillOptions, h, setText } from "../../viewer/shared/dom";
-import { translate } from "../../viewer/shared/language";
+import { say } from "../../viewer/shared/language";
 import { type Api, Refused, type ResultTable } from "../client/api";
 import type { Tab } from "../controls/tabs";
 import type { Target } from "./table-rows";
@@ -150,7 +150,8 @@ export class ResultTables {
     if (!group || !name || run === null) return;
     if (group.shown === wanted) return group.say("");
     group.panel.setAttribute("aria-busy", "true");
-    if (!this.kept.has(name)) group.say(`The table is being made: ${translate(group.tables[name] ?? name)} …`);
+    if (!this.kept.has(name))
+      group.say(say("The table is being made: {table} …", { table: group.tables[name] ?? name }));
     try {
       const table = this.kept.get(name) ?? (await this.api.table(run, name));
       if (!isCurrent()) return;
@@ -161,7 +162,7 @@ export class ResultTables {
       group.view.show(table);
     } catch (error) {
       if (!isCurrent()) return;
-      if (error instanceof Refused) group.say(`The table could not be made: ${error.message}`, true);
+      if (error instanceof Refused) group.say(say("The table could not be made: {why}", { why: error.message }), true);
       else this.onError(error);
     } finally {
       if (isCurrent()) group.panel.setAttribute("aria-busy", "false");

@@ -1,7 +1,7 @@
 // The line above the result: what it is of, whether it is up to date, what the solver is doing.
 
 import { type Child, fill, h, setText } from "../../viewer/shared/dom";
-import { translate } from "../../viewer/shared/language";
+import { counted, say, together, translate } from "../../viewer/shared/language";
 import type { Run, Solved, Store } from "../client/store";
 import { issueLine } from "../model/issues";
 import { type Freshness, freshness } from "./standing";
@@ -14,27 +14,28 @@ export function statusText(
   autosolve: boolean,
   issues: number,
 ): string {
-  const old = fresh === "stale" ? translate("These results are for an earlier version of the model. ") : "";
+  const old = fresh === "stale" ? "These results are for an earlier version of the model." : "";
   switch (run.kind) {
     case "solving":
-      return old + (run.text ? `${translate("Solving")}: ${translate(run.text)}` : translate("Solving …"));
+      return together([old, run.text ? say("Solving: {what}", { what: run.text }) : "Solving …"]);
     case "refused":
-      return old + translate(`Not solved: ${run.message || "the model has errors"}`);
+      return together([old, say("Not solved: {why}", { why: run.message || "the model has errors" })]);
     case "cancelled":
       // by an edit, whose own run follows
       if (fresh === "stale" && autosolve) return old;
-      return old + translate("Solving was canceled.");
+      return together([old, "Solving was canceled."]);
     default:
       if (fresh === "none") return "Not solved yet.";
-      if (fresh === "stale" && issues > 0) return `${old}Fix the ${issues === 1 ? "error" : "errors"} to update them.`;
-      if (fresh === "stale") return autosolve ? old : `${old}Solve to update them.`;
-      return [solved?.design ?? "", originText(solved?.seconds ?? null)].filter(Boolean).join(" ");
+      if (fresh === "stale" && issues > 0)
+        return together([old, counted(issues, "Fix the error to update them.", "Fix the errors to update them.")]);
+      if (fresh === "stale") return autosolve ? old : together([old, "Solve to update them."]);
+      return together([solved?.design ?? "", originText(solved?.seconds ?? null)]);
   }
 }
 
 /** Where the result is from. */
 function originText(seconds: number | null): string {
-  return seconds === null ? "Saved results, read-only." : `Solved in ${formatSeconds(seconds)}.`;
+  return seconds === null ? "Saved results, read-only." : say("Solved in {time}.", { time: formatSeconds(seconds) });
 }
 
 function formatSeconds(value: number): string {
@@ -76,8 +77,8 @@ export function emptyResult(store: Store, solve: (() => void) | null): { element
     if (run.kind === "solving") return show("Solving …", "The result will appear here.");
     if (run.kind === "refused")
       return show("Not solved", run.message, ...run.issues.map((one) => h("p", { class: "quiet" }, issueLine(one))));
-    const errors = count === 1 ? "error" : `${count} errors`;
-    if (count > 0) return show("No result yet", `First fix the ${errors} listed below the model.`);
+    const errors = counted(count, "error", "{count} errors");
+    if (count > 0) return show("No result yet", say("First fix the {errors} listed below the model.", { errors }));
     const how = "Solve the model to see settlement, contact pressure and moments here, or turn on Autosolve.";
     show("No result yet", how, h("button", { type: "button", class: "main", onclick: solve }, "Solve"));
   };

@@ -2,6 +2,7 @@
 
 import { formatNumber } from "../../viewer/data/numbers";
 import { button, fill, h } from "../../viewer/shared/dom";
+import { say, together } from "../../viewer/shared/language";
 import { symbolElement } from "../../viewer/shared/symbols";
 import type { CombinationSummary, DesignCheck, Summary, SummaryRow } from "../client/api";
 import type { Json } from "../model/paths";
@@ -36,7 +37,7 @@ function hangs(check: DesignCheck): boolean {
 export function betweenText({ utilisation, between }: DesignCheck): string {
   if (between === null || utilisation === null || between[0] === between[1]) return "";
   const [used, low, high] = [utilisation, ...between].map((value) => (value === null ? "∞" : value.toFixed(2)));
-  return low === used && high === used ? "±<0.01" : `${low} to ${high}`;
+  return low === used && high === used ? "±<0.01" : say("{from} to {to}", { from: low!, to: high! });
 }
 
 /** Show what fails in the design, and the figures of one combination; null: none is chosen. */
@@ -104,7 +105,7 @@ export function showCertificates(element: HTMLElement, summary: Summary | null, 
   const head = h("tr", {}, ...heads.map((text) => h("th", { scope: "col" }, text)));
   const rows = combinations.map((one, n) => {
     const verdict = verdictOf(one);
-    const name = button(one.name || `combination ${n + 1}`, "", () => choose(n), "link");
+    const name = button(one.name || say("combination {number}", { number: n + 1 }), "", () => choose(n), "link");
     const figures =
       verdict === "refused"
         ? [h("td", { class: "why", colspan: Math.max(1, keys.length) }, one.refused ?? "")]
@@ -122,12 +123,16 @@ export function showCertificates(element: HTMLElement, summary: Summary | null, 
 /** Make the verdict on all combinations together. */
 function makeVerdict({ combinations: all, coarse = "", unknown = false }: Summary): HTMLElement {
   const bad = all.filter((one) => verdictOf(one) !== "certified").length;
-  const whose = all.length === 1 ? "The result is" : `The results of all ${all.length} combinations are`;
-  const good = `${whose} certified: equilibrium and contact conditions are satisfied on this mesh. This is not a design approval.`;
+  const whose =
+    all.length === 1 ? "The result is" : say("The results of all {all} combinations are", { all: all.length });
+  const good = say(
+    "{whose} certified: equilibrium and contact conditions are satisfied on this mesh. This is not a design approval.",
+    { whose },
+  );
   if (bad === 0 && unknown) return h("p", { class: "verdict bad" }, coarse);
-  if (bad === 0 && coarse) return h("p", { class: "verdict doubtful" }, `${good} ${coarse}`);
+  if (bad === 0 && coarse) return h("p", { class: "verdict doubtful" }, together([good, coarse]));
   if (bad === 0) return h("p", { class: "verdict good" }, good);
-  const some = `${bad} of ${all.length} combinations have no usable result.`;
+  const some = say("{bad} of {all} combinations have no usable result.", { bad, all: all.length });
   return h("p", { class: "verdict bad" }, all.length === 1 ? "Do not use this result." : some);
 }
 

@@ -1,7 +1,7 @@
 // A table of results: only the rows in view are in the page; sorted, filtered, copied.
 
 import { button, fill, h, setRead, setText } from "../../viewer/shared/dom";
-import { translate, verbatim } from "../../viewer/shared/language";
+import { counted, say, translate, verbatim } from "../../viewer/shared/language";
 import { plainSymbols, symbolElement } from "../../viewer/shared/symbols";
 import type { ResultTable, TableCell, TableHead } from "../client/api";
 import { type RowBox, rangeInView, revealRow, rowsInView } from "../controls/virtual-rows";
@@ -83,7 +83,10 @@ export class TableView {
     this.order = arrangeRows(table, this.filter.value, sorting);
     this.chosen = null;
     const [all, some] = [table.rows.length, this.order.length];
-    setText(this.count, some === all ? `${all} ${all === 1 ? "row" : "rows"}` : `${some} of ${all} rows`);
+    setText(
+      this.count,
+      some === all ? counted(all, "{count} row", "{count} rows") : say("{some} of {all} rows", { some, all }),
+    );
     fill(this.head, h("tr", {}, ...table.heads.map((head, n) => this.makeHead(head, n))));
     this.draw();
   }
@@ -165,7 +168,7 @@ export class TableView {
     const text = toTabSeparated(this.table, positions);
     const { length } = positions;
     const said = (words: string) => () => setText(this.count, words);
-    const done = said(`${length} ${length === 1 ? "row" : "rows"} copied`);
+    const done = said(counted(length, "{count} row copied", "{count} rows copied"));
     navigator.clipboard.writeText(text).then(done, said("The browser blocked copying."));
   }
 }

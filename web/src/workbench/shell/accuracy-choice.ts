@@ -1,6 +1,6 @@
 // The accuracy that runs ask for, beside the button that solves, and what each takes, told before it begins.
 import { fill, h, setRead, setText } from "../../viewer/shared/dom";
-import { translate, verbatim } from "../../viewer/shared/language";
+import { counted, say, together, translate, verbatim } from "../../viewer/shared/language";
 import { type Accuracy, type Api, type Cost, type Costs, Lost, Refused } from "../client/api";
 import { debounce } from "../client/debounce";
 import type { Store } from "../client/store";
@@ -14,23 +14,22 @@ const PAUSE = 500; // ms without a change until the costs are asked for
 /** Return a time in words, no more exact than an estimate is. */
 export function timeText(seconds: number): string {
   if (seconds < 1.5) return translate("about 1 s");
-  if (seconds < 100) return translate(`about ${roundTo(seconds, seconds < 10 ? 1 : 5)} s`);
-  return translate(`about ${roundTo(seconds / 60, seconds < 600 ? 1 : 5)} min`);
+  if (seconds < 100) return say("about {time} s", { time: roundTo(seconds, seconds < 10 ? 1 : 5) });
+  return say("about {time} min", { time: roundTo(seconds / 60, seconds < 600 ? 1 : 5) });
 }
 
 /** Return what a run takes in words: time, unknowns, combinations, meshes. */
 export function costText(cost: Cost): string {
   const { seconds, meshes } = cost;
-  const made = translate(meshes === 1 ? "1 mesh" : `${meshes} meshes`);
-  return `${timeText(seconds)}, ${workText(cost)}, ${made}`;
+  return together([timeText(seconds), workText(cost), counted(meshes, "1 mesh", "{count} meshes")], ", ");
 }
 
 /** Return in words how much there is to solve. */
 export function workText({ unknowns, combinations }: Cost): string {
   const step = 10 ** Math.max(0, Math.floor(Math.log10(Math.max(1, unknowns))) - 1);
   const count = COUNTS.format(roundTo(unknowns, step));
-  const all = combinations === 1 ? "1 combination" : `${combinations} combinations`;
-  return `${translate(`${count} unknowns`)}, ${translate(all)}`;
+  const all = counted(combinations, "1 combination", "{count} combinations");
+  return together([say("{count} unknowns", { count }), all], ", ");
 }
 
 function roundTo(value: number, step: number): number {
@@ -114,7 +113,7 @@ export class AccuracyChoice {
 
   private makeOption(value: string, wanted: string): HTMLElement {
     const cost = this.costOf(value);
-    const named = isNamed(value) ? LABELS[value] : `Case (${value})`;
+    const named = isNamed(value) ? LABELS[value] : say("Case ({value})", { value });
     const name = translate(value === "" ? "Mesh of the case" : named);
     const label = cost ? `${name}: ${timeText(cost.seconds)}` : name;
     return h("option", { value, selected: value === wanted }, verbatim(label));

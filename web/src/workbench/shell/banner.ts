@@ -1,6 +1,7 @@
 // Messages across the page: the server is away, edits wait, something was refused.
 
 import { button, type Child, fill, h } from "../../viewer/shared/dom";
+import { counted, say } from "../../viewer/shared/language";
 import type { Store } from "../client/store";
 
 /** The banner below the top bar; hidden while there is nothing to report. */
@@ -8,18 +9,26 @@ export function banner(store: Store, retry: () => void): HTMLElement {
   const element = h("div", { class: "banner", role: "alert", hidden: true });
   const update = () => {
     const count = store.waitingCount;
-    const edits = count === 1 ? "1 edit is" : `${count} edits are`;
-    const kept = count === 0 ? "Nothing is lost." : `${edits} kept here and will be sent when it responds.`;
+    const edits = counted(count, "1 edit is", "{count} edits are");
+    const kept =
+      count === 0 ? "Nothing is lost." : say("{edits} kept here and will be sent when it responds.", { edits });
     const show = (title: string, ...text: Child[]) =>
       fill(element, h("strong", {}, title), ...text, button("Try now", "", retry, "small"));
     element.hidden = store.connection === "ok";
     if (store.connection === "away") {
       const command = h("code", {}, startCommand(store));
-      show("The server is not responding. ", `${kept} If it has stopped, restart it with `, command, ". ");
+      show(
+        "The server is not responding. ",
+        say("{kept} If it has stopped, restart it with", { kept }),
+        " ",
+        command,
+        ". ",
+      );
     } else if (store.connection === "unauthorized")
       show(
         "A different server is running. ",
-        `${kept} Open the address it printed; this page will then connect to it. `,
+        say("{kept} Open the address it printed; this page will then connect to it.", { kept }),
+        " ",
       );
   };
   store.on(["connection", "waiting"], update);

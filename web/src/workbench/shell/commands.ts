@@ -1,5 +1,6 @@
 // Commands on the document.
 
+import { say, verbatim } from "../../viewer/shared/language";
 import { type Api, type DocState, type FileChanges, Lost, Refused, type SlabInFile, type Which } from "../client/api";
 import type { EditQueue } from "../client/edit-queue";
 import type { Store } from "../client/store";
@@ -93,7 +94,10 @@ export class Commands {
   private async openSlabs(file: string): Promise<void> {
     let slabs: SlabInFile[] = [];
     const look = async () => {
-      this.store.set("notice", { kind: "info", text: `Reading ${file.replace(/^.*[\\/]/, "")} …` });
+      this.store.set("notice", {
+        kind: "info",
+        text: say("Reading {file} …", { file: verbatim(file.replace(/^.*[\\/]/, "")) }),
+      });
       slabs = (await this.api.slabs(file)).slabs;
       this.store.set("notice", null);
     };
@@ -197,7 +201,11 @@ export class Commands {
     return this.run(async () => {
       const state = await make();
       this.store.setDoc(state.offer ? await this.resolveOffer(state) : state);
-      if (done) this.store.set("notice", { kind: "info", text: `${this.store.doc?.file ?? "The case"} is ${done}.` });
+      if (done)
+        this.store.set("notice", {
+          kind: "info",
+          text: say("{file} is {done}.", { file: this.store.doc?.file ?? "The case", done }),
+        });
     }, known);
   }
 

@@ -1,5 +1,7 @@
 // All issues of the case file below the model, and remarks on one without any; each leads to its field.
+
 import { fill, h, setText } from "../../viewer/shared/dom";
+import { say } from "../../viewer/shared/language";
 import type { Store } from "../client/store";
 import { type Push, repairButtons } from "../form/repairs";
 import type { Issue, Remark } from "../model/issues";
@@ -28,7 +30,7 @@ export function issueList(store: Store, onChoose: (chosen: Issue | Remark) => vo
   };
   const makeRemark = (remark: Remark) => {
     const attributes = { type: "button", class: "issue remark", onclick: () => onChoose(remark) } as const;
-    return h("li", {}, h("button", attributes, `Remark: ${remark.words}`));
+    return h("li", {}, h("button", attributes, say("Remark: {remark}", { remark: remark.words })));
   };
   let isEmpty = true;
   store.on(["doc"], () => {

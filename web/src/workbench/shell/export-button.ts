@@ -1,6 +1,7 @@
 // The button that has a file made while one works on, says how far a report is, and saves the file.
 
 import { allow, h, setRead, setText } from "../../viewer/shared/dom";
+import { say } from "../../viewer/shared/language";
 import { type Api, type MadeFile, Refused } from "../client/api";
 import type { Store } from "../client/store";
 import { ask } from "../controls/dialogs";
@@ -48,7 +49,7 @@ export function exportButton(store: Store, api: ExportApi, solve: () => Promise<
       if (notes.length) showNotes(name, LEFT, notes.join("\n"));
     } catch (error) {
       const text = error instanceof Refused ? error.message : String(error);
-      store.set("notice", { kind: "bad", text: `The file could not be made: ${text}` });
+      store.set("notice", { kind: "bad", text: say("The file could not be made: {why}", { why: text }) });
     } finally {
       store.set("report", null);
     }
@@ -57,8 +58,10 @@ export function exportButton(store: Store, api: ExportApi, solve: () => Promise<
   store.on(["solved", "run", "doc", "waiting", "report"], () => {
     const { report, solved, run } = store;
     const share = Math.round(100 * (report?.share ?? 0));
-    setText(element, report === null ? "Export …" : share > 0 ? `Export ${share} %` : "Exporting …");
-    const made = report?.text ? `The report is being made: ${report.text}` : "The file is being made.";
+    setText(element, report === null ? "Export …" : share > 0 ? say("Export {share} %", { share }) : "Exporting …");
+    const made = report?.text
+      ? say("The report is being made: {what}", { what: report.text })
+      : "The file is being made.";
     const isEmpty = solved === null && (store.doc === null || store.doc.issues.length > 0);
     allow(element, report === null && isEmpty ? "There is nothing to export: fix the errors first." : "");
     // while a file is made it keeps the focus

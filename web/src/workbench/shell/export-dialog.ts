@@ -1,7 +1,7 @@
 // What is exported: the report, tables, figures, drawings, files for other programs, each in one of its formats.
 
 import { button, type Child, h, newId } from "../../viewer/shared/dom";
-import { translate, verbatim } from "../../viewer/shared/language";
+import { say, translate, verbatim } from "../../viewer/shared/language";
 import type { ShownResult, Store } from "../client/store";
 import { closeDialog, openDialog } from "../controls/dialogs";
 import "./export.css";
@@ -121,7 +121,7 @@ class Row {
     const problem = problemOf(offer, store);
     this.radio = h("input", { type: "radio", name: "export", id: newId("export"), disabled: problem !== "" });
     const options = offer.formats.map(([value, format]) => h("option", { value }, verbatim(format)));
-    const label = `format of ${offer.label}`;
+    const label = say("format of {file}", { file: offer.label });
     this.format = h("select", { "aria-label": label, disabled: problem !== "" }, ...options);
     this.format.addEventListener("change", () => this.choose(this.format.value));
     const note: Child = problem || (offer === PLAN ? verbatim(planText(store.shown)) : offer.note);

@@ -1,7 +1,7 @@
 // Choosing a case file on the server's machine: to open, or to save under a name.
 
 import { button, fill, h, newId, setText } from "../../viewer/shared/dom";
-import { verbatim } from "../../viewer/shared/language";
+import { say, verbatim } from "../../viewer/shared/language";
 import { type Api, type Folder, Refused } from "../client/api";
 import { ask, closeDialog, openDialog } from "../controls/dialogs";
 
@@ -175,7 +175,11 @@ class FileDialog {
       { label: "Cancel", value: false, main: true },
       { label: "Replace", value: true },
     ];
-    if (over && !(await ask("Replace file?", [`${name} already exists.`], answers, false))) return;
+    if (
+      over &&
+      !(await ask("Replace file?", [say("{name} already exists.", { name: verbatim(name) })], answers, false))
+    )
+      return;
     this.close({ file, over });
   }
 }

@@ -1,7 +1,7 @@
 // The bar across the top: the file, undo and redo, solving, exporting, light and dark.
 
 import { button, h, setRead, setText } from "../../viewer/shared/dom";
-import { translate, verbatim } from "../../viewer/shared/language";
+import { say, translate, verbatim } from "../../viewer/shared/language";
 import { switchTheme } from "../../viewer/shared/theme";
 import type { Api, Lost } from "../client/api";
 import type { Store } from "../client/store";
@@ -79,8 +79,16 @@ function historyButtons(store: Store, commands: Commands): HTMLElement[] {
     // they keep the focus where nothing is left
     undo.setAttribute("aria-disabled", String(doc?.can_undo !== true));
     redo.setAttribute("aria-disabled", String(doc?.can_redo !== true));
-    setRead(undo, "title", doc?.can_undo ? `Undo: ${doc.undo_text} (Ctrl+Z)` : "Nothing to undo");
-    setRead(redo, "title", doc?.can_redo ? `Redo: ${doc.redo_text} (Ctrl+Y)` : "Nothing to redo");
+    setRead(
+      undo,
+      "title",
+      doc?.can_undo ? say("Undo: {change} (Ctrl+Z)", { change: doc.undo_text }) : "Nothing to undo",
+    );
+    setRead(
+      redo,
+      "title",
+      doc?.can_redo ? say("Redo: {change} (Ctrl+Y)", { change: doc.redo_text }) : "Nothing to redo",
+    );
     setText(last, doc?.can_undo ? doc.undo_text : "");
   });
   return [h("div", { class: "gs-group", role: "group", "aria-label": "edits" }, undo, redo), last];

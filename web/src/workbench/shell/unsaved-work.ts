@@ -1,4 +1,5 @@
 // Questions about unsaved work and texts that differ.
+import { say, verbatim } from "../../viewer/shared/language";
 import type { Api, DocState } from "../client/api";
 import type { Store } from "../client/store";
 import { ask } from "../controls/dialogs";
@@ -15,7 +16,10 @@ export async function askOffer(api: Pick<Api, "restore">, state: DocState): Prom
   const take = await ask(
     "Restore unsaved work?",
     [
-      `An earlier session ended with unsaved changes: ${file}, last changed ${when}.`,
+      say("An earlier session ended with unsaved changes: {file}, last changed {when}.", {
+        file: verbatim(file),
+        when,
+      }),
       "You can undo restoring them; the file on disk does not change until you save.",
       ...(offer.changed === true ? [changed] : []),
     ],
@@ -34,7 +38,11 @@ export function askWhichText(server: DocState): Promise<"page" | "server"> {
   const file = server.file ?? "not saved yet";
   return ask(
     "Which version do you want to keep?",
-    [`The server has a different version (${file}) from this page, which has unsaved changes.`],
+    [
+      say("The server has a different version ({file}) from this page, which has unsaved changes.", {
+        file: verbatim(file),
+      }),
+    ],
     [
       { label: "Use the server's version", value: "server" as const },
       { label: "Keep this page's version", value: "page" as const, main: true },
@@ -50,6 +58,6 @@ export function showWarnings(store: Store): void {
     const { unkept = "" } = store.doc ?? {};
     if (unkept === shown) return;
     shown = unkept;
-    if (unkept) store.set("notice", { kind: "bad", text: `${unkept}. Save soon.` });
+    if (unkept) store.set("notice", { kind: "bad", text: say("{problem}. Save soon.", { problem: unkept }) });
   });
 }

@@ -1,4 +1,5 @@
 // The changes that a table makes: each one step of undo.
+import { counted, say } from "../../viewer/shared/language";
 import { joinEdits } from "../model/changes/batches";
 import { renameReferences } from "../model/changes/references";
 import { editsToTable } from "../model/changes/transform";
@@ -82,12 +83,12 @@ function describe(
   const [only] = writes;
   const position = positions[only?.row ?? -1];
   if (writes.length === 1 && only && position !== undefined)
-    return `change ${nameOf(only.column)} of ${titleAt(data, [list, position])}`;
+    return say("change {field} of {item}", { field: nameOf(only.column), item: titleAt(data, [list, position]) });
   const count = new Set(writes.map(({ row }) => row)).size;
-  const rows = (n: number) => (n === 1 ? "a row" : `${n} rows`);
+  const rows = (n: number) => counted(n, "a row", "{count} rows");
   return added === count
-    ? `add ${rows(count)} to ${title.toLowerCase()}`
-    : `change ${rows(count)} of ${title.toLowerCase()}`;
+    ? say("add {rows} to {items}", { rows: rows(count), items: title.toLowerCase() })
+    : say("change {rows} of {items}", { rows: rows(count), items: title.toLowerCase() });
 }
 
 /** Return the change that empties cells, and how many are needed and stay. */
@@ -117,6 +118,6 @@ export function duplicateRows(data: Table, { list, title }: Sheet, positions: re
     }
     return { op: "add", path: [list], value };
   });
-  const count = positions.length === 1 ? "a row" : `${positions.length} rows`;
-  return joinEdits(data, { edits, text: `duplicate ${count} of ${title.toLowerCase()}` });
+  const values = { rows: counted(positions.length, "a row", "{count} rows"), items: title.toLowerCase() };
+  return joinEdits(data, { edits, text: say("duplicate {rows} of {items}", values) });
 }

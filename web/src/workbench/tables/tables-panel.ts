@@ -1,5 +1,7 @@
 // Lists of the model as tables, edited as in a spreadsheet.
+
 import { allow, button, fill, h, newId, setText } from "../../viewer/shared/dom";
+import { counted, say } from "../../viewer/shared/language";
 import type { Store } from "../client/store";
 import type { FormContext } from "../form/context";
 import { newItem } from "../form/lists/list";
@@ -217,14 +219,14 @@ export class TablesPanel {
     const cell = this.grid.cellAt(active);
     if (!column || !cell || this.editor || this.store.broken) return;
     if (!isEditable(column)) {
-      this.said = `The ${nameOf(column)} can be edited in the plan or the form.`;
+      this.said = say("The {field} can be edited in the plan or the form.", { field: nameOf(column) });
       return this.tell();
     }
     this.said = this.open.whyIdle(active);
     if (this.said) return this.tell();
     const item = this.open.pathOf(active.row) ?? [this.sheet.list, this.open.positions.length];
     const options = optionsFor(this.ctx.data(), column, item);
-    const label = `${nameOf(column)} of row ${this.open.numberOf(active.row)}`;
+    const label = say("{field} of row {number}", { field: nameOf(column), number: this.open.numberOf(active.row) });
     const hooks = {
       commit: (text: string, after: After) => this.finish(text, after),
       close: (stays: boolean) => {
@@ -256,14 +258,14 @@ export class TablesPanel {
     const cells = rows.flatMap((row) => columns.map((column) => ({ row, column })));
     const { change, kept } = emptyCells(this.ctx.data(), this.sheet, this.open.positions, cells);
     this.push(change);
-    this.said = kept > 0 ? `${kept} required ${kept === 1 ? "value" : "values"} kept.` : "";
+    this.said = kept > 0 ? counted(kept, "{count} required value kept.", "{count} required values kept.") : "";
     this.tell();
   }
 
   private add(): void {
     const { list, part, title } = this.sheet;
     const value = newItem(this.ctx.data(), [list], part);
-    this.push({ edits: [{ op: "add", path: [list], value }], text: `add a row to ${title}` });
+    this.push({ edits: [{ op: "add", path: [list], value }], text: say("add a row to {items}", { items: title }) });
     this.grid.choose(blockAt(this.open.rows.length - 1, 0));
     this.grid.table.focus();
   }
@@ -294,7 +296,7 @@ export class TablesPanel {
       this.said = words;
       this.tell();
     };
-    const done = tell(`${this.open.rows.length} rows copied.`);
+    const done = tell(say("{count} rows copied.", { count: this.open.rows.length }));
     navigator.clipboard.writeText(this.open.copyAll()).then(done, tell("The browser blocked copying."));
   }
 

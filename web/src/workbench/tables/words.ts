@@ -1,4 +1,5 @@
 // What the line below a table says. No elements here.
+import { counted, say, together } from "../../viewer/shared/language";
 import { issueCount, issueLine } from "../model/issues";
 import type { OpenTable, Paste } from "./open-table";
 import type { Cell } from "./selection";
@@ -14,7 +15,8 @@ export function issueText(open: OpenTable, cell: Cell): string {
 export function firstIssue(open: OpenTable): string {
   const total = open.issueTotal;
   if (total === 0) return "";
-  return `${issueCount(total)}${total > 1 ? ", the first" : ""} in row ${open.numberOf(open.firstFaulty)}.`;
+  const values = { issues: issueCount(total), row: open.numberOf(open.firstFaulty) };
+  return say(total > 1 ? "{issues}, the first in row {row}." : "{issues} in row {row}.", values);
 }
 
 /** Return how many rows a table has. */
@@ -26,11 +28,14 @@ export function countText({ rows }: OpenTable): string {
 export function pasteText({ block, left }: Paste, before: number, now: number): string {
   const changed = Math.max(0, Math.min(block.bottom + 1, before) - block.top);
   const added = now - before;
-  const done = [changed > 0 ? `${countRows(changed)} changed` : "", added > 0 ? `${countRows(added)} added` : ""];
-  const rest = left.length > 0 ? ` Skipped: ${left.join(", ")}.` : "";
-  return `${done.filter(Boolean).join(", ") || "Nothing pasted"}.${rest}`;
+  const parts = [
+    changed > 0 ? say("{rows} changed", { rows: countRows(changed) }) : "",
+    added > 0 ? say("{rows} added", { rows: countRows(added) }) : "",
+  ];
+  const done = say("{done}.", { done: together(parts, ", ") || "Nothing pasted" });
+  return together([done, left.length > 0 ? say("Skipped: {cells}.", { cells: left.join(", ") }) : ""]);
 }
 
 function countRows(count: number): string {
-  return `${count} ${count === 1 ? "row" : "rows"}`;
+  return counted(count, "{count} row", "{count} rows");
 }

@@ -1,6 +1,7 @@
 // A list of points in plan as a table of x and y.
 
 import { button, fill, h, setText } from "../../../viewer/shared/dom";
+import { counted, say } from "../../../viewer/shared/language";
 import { iconButton } from "../../controls/icons";
 import { type Json, listAt, type Path } from "../../model/paths";
 import { formatLike, parsePoint } from "../../model/quantities";
@@ -32,11 +33,13 @@ export function pointsInput(ctx: FormContext, path: Path, each: Node): Input {
   const build = (length: number) => {
     // few points are shown at once, many when the user unfolds them
     if (inputs.length === 0) fold.open = length <= FEW;
-    setText(count, length === 1 ? "1 point" : `${length} points`);
+    setText(count, counted(length, "1 point", "{count} points"));
     inputs = Array.from({ length }, (_, n) => tupleInput(ctx, [...path, n], each, 2, ["x", "y"], undefined));
     const makeRow = (input: Input, n: number) => {
-      const add = iconButton("add", "insert after", `insert a point after ${n + 1}`, () => insert(n + 1));
-      const drop = iconButton("remove", "remove", `remove point ${n + 1}`, () => remove(n));
+      const add = iconButton("add", "insert after", say("insert a point after {number}", { number: n + 1 }), () =>
+        insert(n + 1),
+      );
+      const drop = iconButton("remove", "remove", say("remove point {number}", { number: n + 1 }), () => remove(n));
       const number = h("span", { class: "number-of" }, String(n + 1));
       return h("div", { class: "place-row" }, number, input.element, add, drop);
     };

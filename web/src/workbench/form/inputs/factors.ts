@@ -1,7 +1,7 @@
 // The factors of a combination: one for each load case that takes part.
 
 import { fill, h } from "../../../viewer/shared/dom";
-import { verbatim } from "../../../viewer/shared/language";
+import { say, verbatim } from "../../../viewer/shared/language";
 import { namesIn } from "../../model/names";
 import { type Json, listAt, type Path, tableAt } from "../../model/paths";
 import { type FormContext, setValue, type Widget } from "../context";
@@ -28,7 +28,7 @@ export function factorsInput(ctx: FormContext, path: Path): Input {
   let names: string[] = [];
   let cells: Input[] = [];
   const build = () => {
-    cells = names.map((name) => factorInput(ctx, path, name, `factor of ${name}`));
+    cells = names.map((name) => factorInput(ctx, path, name, say("factor of {name}", { name: verbatim(name) })));
     fill(element, ...cells.map((cell, n) => h("label", {}, h("span", {}, verbatim(names[n] ?? "")), cell.element)));
     if (names.length === 0) fill(element, h("span", { class: "quiet" }, "Add load cases first."));
   };

@@ -1,7 +1,7 @@
 // Elements that edit one value of the case file, by what the value is.
 
 import { h, newId, setOptions, setRead } from "../../../viewer/shared/dom";
-import { translate, verbatim } from "../../../viewer/shared/language";
+import { say, translate, verbatim } from "../../../viewer/shared/language";
 import { symbolText } from "../../../viewer/shared/symbols";
 import { debounce } from "../../client/debounce";
 import { referencedNames } from "../../model/changes/references";
@@ -207,7 +207,7 @@ function valuesInput(ctx: FormContext, path: Path, each: Node): Input {
 function withReset(ctx: FormContext, path: Path, { needed, default: standard }: Field, input: Input): Input {
   if (needed) return input;
   const written = defaultText(standard);
-  const title = written ? `Back to the default: ${written}` : "Back to no value";
+  const title = written ? say("Back to the default: {written}", { written }) : "Back to no value";
   const reset = h("button", { type: "button", class: "icon reset", title, "aria-label": title }, verbatim("↺"));
   reset.addEventListener("click", () => {
     setValue(ctx, path, undefined);

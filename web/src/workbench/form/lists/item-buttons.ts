@@ -1,5 +1,6 @@
 // The buttons that copy and remove an item of a list.
 
+import { say } from "../../../viewer/shared/language";
 import { iconButton } from "../../controls/icons";
 import { duplicateItem } from "../../model/changes/new-items";
 import { removeItem } from "../../model/changes/references";
@@ -13,7 +14,9 @@ export function itemButtons(ctx: FormContext, path: Path): HTMLElement[] {
     if (addition) ctx.change(addition.change);
   };
   return [
-    iconButton("copy", "duplicate", `duplicate item ${position}`, duplicate),
-    iconButton("remove", "remove", `remove item ${position}`, () => ctx.change(removeItem(ctx.data(), path))),
+    iconButton("copy", "duplicate", say("duplicate item {number}", { number: position }), duplicate),
+    iconButton("remove", "remove", say("remove item {number}", { number: position }), () =>
+      ctx.change(removeItem(ctx.data(), path)),
+    ),
   ];
 }

@@ -1,5 +1,7 @@
 // A list of tables: as rows of a table where its tables are flat, else as items that fold.
+
 import { button, fill, h, setText } from "../../../viewer/shared/dom";
+import { say } from "../../../viewer/shared/language";
 import { defaultPlacement } from "../../model/changes/variants";
 import { defaultsFor } from "../../model/defaults";
 import { issuesOfList } from "../../model/issues";
@@ -32,7 +34,7 @@ export function listWidget(
   const count = h("span", { class: "count" });
   const rows = h("div");
   const options = parts.map((part) => h("option", { value: part.name }, kindText(part)));
-  const kind = h("select", { "aria-label": `kind of the new item of ${title}` }, ...options);
+  const kind = h("select", { "aria-label": say("kind of the new item of {title}", { title }) }, ...options);
   const offersKinds = hasKinds && parts.length > 1;
   // layers are all given by the same keys: one choice for the entire list
   const given = !hasKinds && parts.length > 1 ? listKindChoice(ctx, path, names) : null;
@@ -43,9 +45,9 @@ export function listWidget(
     const chosen = offersKinds ? ctx.schema.part(kind.value) : (part ?? parts[0]);
     if (!chosen) return;
     const value = newItem(ctx.data(), path, chosen);
-    ctx.change({ edits: [{ op: "add", path, value }], text: `add ${one.toLowerCase()}` });
+    ctx.change({ edits: [{ op: "add", path, value }], text: say("add {item}", { item: one.toLowerCase() }) });
   };
-  const add = button(offersKinds ? "Add" : `Add ${one}`, "", insert, "small");
+  const add = button(offersKinds ? "Add" : say("Add {item}", { item: one }), "", insert, "small");
   const hint = h("span", { class: "hint" }, about);
   const head = h("div", { class: "sub-head" }, bare ? hint : h("h4", { title: about }, title, " ", count, hint));
   const foot = h("div", { class: "list-foot" }, offersKinds ? kind : null, add);
@@ -100,6 +102,6 @@ function listKindChoice(ctx: FormContext, path: Path, names: readonly string[]):
     const known = ctx.memory.get(pathKey([...path, to.name]))?.items;
     const isKnown = Array.isArray(known) && known.length === old.length;
     const value: Json = isKnown ? known : old.map(() => defaultsFor(to.name, ctx.data()));
-    ctx.change({ edits: [{ op: "set", path, value }], text: `define layers by ${kindText(to)}` });
+    ctx.change({ edits: [{ op: "set", path, value }], text: say("define layers by {kind}", { kind: kindText(to) }) });
   });
 }

@@ -1,6 +1,6 @@
 // A list of flat tables as rows: one row for each table, one column for each key.
 import { fill, h } from "../../../viewer/shared/dom";
-import { verbatim } from "../../../viewer/shared/language";
+import { say, verbatim } from "../../../viewer/shared/language";
 import { issuesAt, issuesOfPart } from "../../model/issues";
 import { namesIn } from "../../model/names";
 import { listAt, type Path, startsWith, tableAt } from "../../model/paths";
@@ -61,7 +61,13 @@ function valueColumn(ctx: FormContext, field: Field): Column {
   const attributes = { scope: "col", title: hintOf(field), class: field.needed ? "needed" : null };
   return {
     head: h("th", attributes, ...labelParts(field)),
-    makeCell: (path, position) => cellField(ctx, [...path, field.name], field, `${field.name} of item ${position}`),
+    makeCell: (path, position) =>
+      cellField(
+        ctx,
+        [...path, field.name],
+        field,
+        say("{field} of item {number}", { field: field.name, number: position }),
+      ),
   };
 }
 
@@ -75,7 +81,13 @@ function caseNames(ctx: FormContext, path: Path): string[] {
 function factorColumns(ctx: FormContext, path: Path, field: Field): Column[] {
   return caseNames(ctx, path).map((name) => ({
     head: h("th", { scope: "col", class: "factor", title: `${field.hint}: ${name}` }, verbatim(name)),
-    makeCell: (row, position) => factorCell(ctx, [...row, field.name], name, `factor of ${name} in item ${position}`),
+    makeCell: (row, position) =>
+      factorCell(
+        ctx,
+        [...row, field.name],
+        name,
+        say("factor of {name} in item {number}", { name: verbatim(name), number: position }),
+      ),
   }));
 }
 

@@ -1,4 +1,5 @@
 // What is attached to axes of the building: detached where it is moved, attached to others, and the axes themselves moved.
+import { say, verbatim } from "../../../viewer/shared/language";
 import { type Axis, attachedPlaces, isAttached, nameOfCrossing, parseDistances } from "../axes";
 import type { Edit } from "../edits";
 import { isTable, type Json, listAt, type Path, type Table, tableAt, valueAt } from "../paths";
@@ -21,7 +22,8 @@ export function detachingEdits({ table, path }: { table: Table; path: Path }): E
 export function detach(table: Table, axes: readonly Axis[]): Table {
   if (!isAttached(table)) return table;
   const places = attachedPlaces(table, axes);
-  if (!places) throw new Impossible(`it is attached to axes that are not known, ${String(table.at)}`);
+  if (!places)
+    throw new Impossible(say("it is attached to axes that are not known, {at}", { at: verbatim(String(table.at)) }));
   const { at, ...others } = table;
   if (Array.isArray(at)) return { ...others, points: places.map(writePlace) };
   const [x, y] = writePlace(places[0]!);

@@ -1,5 +1,6 @@
 // Copies of items, and items transformed where they are: each one change.
 
+import { say, together, verbatim } from "../../../viewer/shared/language";
 import { axesIn } from "../axes";
 import type { Change, Edit } from "../edits";
 import type { Isometry } from "../isometry";
@@ -70,7 +71,7 @@ function transformNamed(table: Table, isometry: Isometry): Table {
   try {
     return transformTable(table, isometry);
   } catch (error) {
-    if (error instanceof Impossible) throw new Impossible(`${nameOf(table)}: ${error.message}`);
+    if (error instanceof Impossible) throw new Impossible(together([nameOf(table), error.message], ": "));
     throw error;
   }
 }
@@ -120,12 +121,12 @@ export function transformItems(data: Table, paths: readonly Path[], isometry: Is
         ? slabEdits(data, isometry)
         : editsToTable(path, tableAt(data, path), transformHung(data, path, isometry));
     } catch (error) {
-      if (error instanceof Impossible) throw new Impossible(`${titleOfAll(data, [path])}: ${error.message}`);
+      if (error instanceof Impossible) throw new Impossible(together([titleOfAll(data, [path]), error.message], ": "));
       throw error;
     }
   });
   if (edits.length === 0) throw new Impossible("the selection would not change");
-  return { edits, text: `${verb} ${titleOfAll(data, paths)}` };
+  return { edits, text: say(`${verb} {items}`, { items: titleOfAll(data, paths) }) };
 }
 
 /** Return a table under an isometry, detached from its axes, and attached to those where it then is. */
@@ -162,7 +163,11 @@ export function whyNotCopied(tables: readonly ListedTable[]): string {
   ] as const) {
     const chosen = new Set(namesIn(tables.filter(({ list }) => list[0] === hosts).map(({ table }) => table)));
     const lonely = tables.find(({ table }) => typeof table[key] === "string" && table[key] && !chosen.has(table[key]));
-    if (lonely) return `a load is attached to ${key} ${String(lonely.table[key])}, which is not selected`;
+    if (lonely)
+      return say("a load is attached to {key} {name}, which is not selected", {
+        key,
+        name: verbatim(String(lonely.table[key])),
+      });
   }
   return tables.some(({ table }) => hasPlace(table)) ? "" : "nothing in the selection has a position on the plan";
 }

@@ -1,5 +1,6 @@
 // Switching the kind of the ground: what depends on it follows, and comes back with a kind that can have it.
 
+import { say, together } from "../../../viewer/shared/language";
 import { defaultsFor } from "../defaults";
 import type { Edit } from "../edits";
 import { isTable, type Json, listAt, type Path, pathKey, sameValue, type Table, tableAt } from "../paths";
@@ -32,8 +33,12 @@ export function switchGround(data: Table, from: Part | null, to: Part, memory: M
 /** Return what a switch put away and brought back, in a line. */
 function noticeOf({ away, back }: Mended): string {
   const list = (counts: Map<string, number>) => [...counts].map(([name, number]) => `${number} ${name}`).join(", ");
-  const put = away.size > 0 ? `Set aside: ${list(away)}; restored when the ground supports them again.` : "";
-  return [put, back.size > 0 ? `Restored: ${list(back)}.` : ""].filter(Boolean).join(" ");
+  return together([
+    away.size > 0
+      ? say("Set aside: {items}; restored when the ground supports them again.", { items: list(away) })
+      : "",
+    back.size > 0 ? say("Restored: {items}.", { items: list(back) }) : "",
+  ]);
 }
 
 /** The edits that make the zones of the new kind, also those put away; without an end sideways there are none. */

@@ -1,4 +1,5 @@
 // What load cases can be, what that means, and the changes that are made in them and in combinations: each one step.
+import { say, verbatim } from "../../../viewer/shared/language";
 import { defaultsFor } from "../defaults";
 import type { Change, Edit } from "../edits";
 import { type Issue, issueSentence, type Remark } from "../issues";
@@ -97,13 +98,13 @@ export function meaningOf(type: string, data: Table, usual: UsualFactors = UNKNO
     return "Live load L by ASCE 7: acts or is absent, with 1.6 or 1.0.";
   }
   if (action === "permanent") {
-    const [most, least] = factorsOf(combine.permanent ?? usual.permanent);
-    return `Always acts: factor ${String(most)} where unfavorable, ${String(least)} where favorable.`;
+    const [most = "", least = ""] = factorsOf(combine.permanent ?? usual.permanent);
+    return say("Always acts: factor {most} where unfavorable, {least} where favorable.", { most, least });
   }
-  const [gamma] = factorsOf(combine.variable ?? usual.variable);
+  const [gamma = ""] = factorsOf(combine.variable ?? usual.variable);
   const psi = factorsOf(usual.psi[type] ?? usual.psi.variable);
-  const [psi0, psi1, psi2] = psi.map((value, n) => String(own[`psi_${n}`] ?? value));
-  return `Acts or is absent: factor ${String(gamma)}; ψ0 ${psi0}, ψ1 ${psi1}, ψ2 ${psi2}.`;
+  const [psi_0 = "", psi_1 = "", psi_2 = ""] = psi.map((value, n) => String(own[`psi_${n}`] ?? value));
+  return say("Acts or is absent: factor {gamma}; ψ0 {psi_0}, ψ1 {psi_1}, ψ2 {psi_2}.", { gamma, psi_0, psi_1, psi_2 });
 }
 
 /** Return three factors of a list, those that are not known as a dash. */
@@ -119,7 +120,7 @@ export function retypeCase(data: Table, n: number, type: string): Change {
   const edits: Edit[] = gone.map((key) => ({ op: "remove", path: ["cases", n, key] }));
   edits.push({ op: "set", path: ["cases", n, "action"], value: action! });
   if (category) edits.push({ op: "set", path: ["cases", n, "category"], value: category });
-  return { edits, text: `change the type of case ${String(own.name ?? n + 1)}` };
+  return { edits, text: say("change the type of case {name}", { name: verbatim(String(own.name ?? n + 1)) }) };
 }
 
 /** Return the paths of the loads and moves in a case. */
@@ -158,7 +159,7 @@ export function removeCase(data: Table, n: number, owner: string | null): Change
   edits.push(...called.map((at): Edit => ({ op: "remove", path: ["reactions", "cases", at] })));
   edits.push({ op: "remove", path: isLast ? ["cases"] : ["cases", n] });
   if (isLast && "combine" in data) edits.push({ op: "remove", path: ["combine"] });
-  return joinEdits(data, { edits, text: `remove load case ${name}` });
+  return joinEdits(data, { edits, text: say("remove load case {name}", { name: verbatim(name) }) });
 }
 
 /** Return the change that moves a case to another position, null if it is there or there is none. */
@@ -166,7 +167,10 @@ export function moveCase(data: Table, n: number, to: number): Change | null {
   const count = listAt(data, ["cases"]).length;
   if (to === n || to < 0 || to >= count) return null;
   const name = String(tableAt(data, ["cases", n]).name ?? n + 1);
-  return { edits: [{ op: "reorder", path: ["cases", n], value: to }], text: `move load case ${name}` };
+  return {
+    edits: [{ op: "reorder", path: ["cases", n], value: to }],
+    text: say("move load case {name}", { name: verbatim(name) }),
+  };
 }
 
 /** Whether the self-weight of the slab acts in a case. */
@@ -176,7 +180,9 @@ export function hasSelfWeight(data: Table, name: string): boolean {
 
 /** Return the change that lets the self-weight act in a case, and no longer in another one, or takes it away. */
 export function setSelfWeight(data: Table, name: string, on: boolean): Change {
-  const text = on ? `self-weight in case ${name}` : `no self-weight in case ${name}`;
+  const text = on
+    ? say("self-weight in case {name}", { name: verbatim(name) })
+    : say("no self-weight in case {name}", { name: verbatim(name) });
   const there = selfWeights(data);
   if (!on) {
     const own = there.filter((path) => tableAt(data, path).case === name).toReversed();
@@ -220,7 +226,10 @@ export function addCombination(data: Table, taken: readonly string[], limitState
   const name = freeName([...namesIn(listAt(data, ["combinations"])), ...taken], "C1");
   const factors = Object.fromEntries(namesIn(listAt(data, ["cases"])).map((each) => [each, 1]));
   const value = { name, limit_state: limitState, factors };
-  return { edits: [{ op: "add", path: ["combinations"], value }], text: `add combination ${name}` };
+  return {
+    edits: [{ op: "add", path: ["combinations"], value }],
+    text: say("add combination {name}", { name: verbatim(name) }),
+  };
 }
 
 /** Return the change of one factor; 0 leaves the case out. */
@@ -228,7 +237,10 @@ export function setFactor(data: Table, n: number, name: string, factor: number):
   const path: Path = ["combinations", n, "factors", name];
   const edit: Edit = factor === 0 ? { op: "remove", path } : { op: "set", path, value: factor };
   const of = String(tableAt(data, ["combinations", n]).name ?? n + 1);
-  return { edits: [edit], text: `factor of ${name} in combination ${of}` };
+  return {
+    edits: [edit],
+    text: say("factor of {name} in combination {combination}", { name: verbatim(name), combination: verbatim(of) }),
+  };
 }
 
 /** Return the change that makes combinations by an expression, none of them without one. */

@@ -1,4 +1,5 @@
 // The changes that add what was drawn to the case file.
+import { say, verbatim } from "../../../viewer/shared/language";
 import { axesIn, nameOfCrossing } from "../axes";
 import { defaultsFor } from "../defaults";
 import type { Addition, Change, Edit } from "../edits";
@@ -52,7 +53,7 @@ function shapeTable(shape: DrawnShape): Table {
 
 function addItem(data: Table, list: Path, table: Table, what: string): Addition {
   const value = attach(table, list[0], axesIn(data));
-  const change = { edits: [{ op: "add" as const, path: list, value }], text: `add ${what}` };
+  const change = { edits: [{ op: "add" as const, path: list, value }], text: say("add {item}", { item: what }) };
   return { change, path: [...list, listAt(data, list).length] };
 }
 
@@ -103,7 +104,10 @@ function addPlate(data: Table, outline: Table): Addition {
 /** Return the change that joins the two plates whose shared line is at a place, null if there is none. */
 export function addJoint(data: Table, at: Point, reach: number): Addition | null {
   const between = platesAt(data, at, reach);
-  return between && addItem(data, ["joints"], { kind: "hinge", between }, `joint of ${between.join(" and ")}`);
+  return (
+    between &&
+    addItem(data, ["joints"], { kind: "hinge", between }, say("joint of {plates}", { plates: between.join(" and ") }))
+  );
 }
 
 /** Return the edits that give the slab another outline, and what else a slab needs if it is missing. */
@@ -138,11 +142,16 @@ export function addLine(kind: NewKind, data: Table, line: Ring, loadCase: string
     return addItem(data, ["supports"], { ...defaultsFor("LineSupport", data), points }, "line support");
   if (kind === "section line") {
     const name = freeName(namesIn(listAt(data, ["output", "lines"])), "line 1");
-    return addItem(data, ["output", "lines"], { name, ...ends }, `section ${name}`);
+    return addItem(data, ["output", "lines"], { name, ...ends }, say("section {name}", { name: verbatim(name) }));
   }
   if (kind === "strip") {
     const name = freeName(namesIn(listAt(data, ["output", "strips"])), "strip 1");
-    return addItem(data, ["output", "strips"], { name, ...ends, width: stripWidth(data) }, `strip ${name}`);
+    return addItem(
+      data,
+      ["output", "strips"],
+      { name, ...ends, width: stripWidth(data) },
+      say("strip {name}", { name: verbatim(name) }),
+    );
   }
   return addAlong(kind, data, { points }, loadCase);
 }
@@ -151,11 +160,21 @@ export function addLine(kind: NewKind, data: Table, line: Ring, loadCase: string
 function addAlong(kind: NewKind, data: Table, line: Table, loadCase: string): Addition {
   if (kind === "wall" || kind === "edge wall") {
     const name = freeName(namesIn(listAt(data, ["walls"])), "W1");
-    return addItem(data, ["walls"], { name, thickness: wallThickness(data), ...line }, `wall ${name}`);
+    return addItem(
+      data,
+      ["walls"],
+      { name, thickness: wallThickness(data), ...line },
+      say("wall {name}", { name: verbatim(name) }),
+    );
   }
   if (kind === "beam") {
     const name = freeName(namesIn(listAt(data, ["beams"])), "B1");
-    return addItem(data, ["beams"], { name, ...line, section: beamSection(data) }, `beam ${name}`);
+    return addItem(
+      data,
+      ["beams"],
+      { name, ...line, section: beamSection(data) },
+      say("beam {name}", { name: verbatim(name) }),
+    );
   }
   const load = { ...likeLast(data, "LineLoad", inCase(data, loadCase)), ...line };
   return addItem(data, ["loads"], load, "line load");
@@ -176,14 +195,19 @@ export function addPoint(kind: NewKind, data: Table, at: Point, loadCase: string
     const name = freeName(takenNames(data, ["boreholes"]), "BH1");
     const layers = listAt(data, ["boreholes", 0, "layers"]);
     const value = { ...defaultsFor("Borehole", data), ...(layers.length > 0 ? { layers } : {}) };
-    return addItem(data, ["boreholes"], { name, ...place, ...value }, `borehole ${name}`);
+    return addItem(data, ["boreholes"], { name, ...place, ...value }, say("borehole {name}", { name: verbatim(name) }));
   }
   if (kind === "column") {
     // called by the axes that it stands on
     const crossing = nameOfCrossing(at, axesIn(data)).replace("/", "");
     const taken = takenNames(data, ["columns"]);
     const name = crossing && !taken.includes(crossing) ? crossing : freeName(taken, "C1");
-    return addItem(data, ["columns"], { name, ...place, ...columnSize(data) }, `column ${name}`);
+    return addItem(
+      data,
+      ["columns"],
+      { name, ...place, ...columnSize(data) },
+      say("column {name}", { name: verbatim(name) }),
+    );
   }
   const column = columnAt(data, at);
   const load = likeLast(data, "PointLoad", inCase(data, loadCase));
@@ -247,7 +271,7 @@ export function addLoadCase(data: Table, name: string, action: Table, owner = na
   const added = owner === name ? [own] : [{ name: owner, action: "permanent" }, own];
   const edits: Edit[] = added.map((value) => ({ op: "add", path: ["cases"], value }));
   edits.push(...uncased(data).map((path): Edit => ({ op: "set", path: [...path, "case"], value: owner })));
-  return { edits, text: `add load case ${name}` };
+  return { edits, text: say("add load case {name}", { name: verbatim(name) }) };
 }
 
 /** Return how many loads and moves the first case has to settle, as they have none; 0 where there are cases. */
@@ -275,5 +299,5 @@ export function duplicateItem(data: Table, path: Path, by: Point = [0, 0], at?: 
   const copy = [...list, at ?? listAt(data, list).length];
   const edits: Edit[] = [{ op: "add", path: list, value, ...(at === undefined ? {} : { at }) }];
   if (by[0] !== 0 || by[1] !== 0) edits.push({ op: "move", path: copy, by });
-  return { change: { edits, text: `duplicate ${titleAt(data, path)}` }, path: copy };
+  return { change: { edits, text: say("duplicate {items}", { items: titleAt(data, path) }) }, path: copy };
 }

@@ -1,5 +1,6 @@
 // Names that other parts of the file refer to: renamed and removed together with the references.
 
+import { counted, say } from "../../../viewer/shared/language";
 import type { Change, Edit } from "../edits";
 import { titleOfAll } from "../items";
 import { namesIn } from "../names";
@@ -69,10 +70,13 @@ export function removeItems(data: Table, paths: readonly Path[]): Change {
   // from the last on, so that the positions of the others stay
   const edits = removed.toSorted(byPositionBackwards).map((path): Edit => ({ op: "remove", path }));
   const their = paths.length === 1 ? "its" : "their";
-  const also =
-    loads.length === 0 ? "" : loads.length === 1 ? ` and ${their} load` : ` and ${their} ${loads.length} loads`;
-  const joined = joints.length === 0 ? "" : ` and ${their} ${joints.length === 1 ? "joint" : "joints"}`;
-  return { edits, text: `remove ${titleOfAll(data, paths)}${also}${joined}` };
+  let items = titleOfAll(data, paths);
+  const add = (count: number, one: string, many: string) => {
+    if (count > 0) items = counted(count, one, many, { items, their });
+  };
+  add(loads.length, "{items} and {their} load", "{items} and {their} {count} loads");
+  add(joints.length, "{items} and {their} joint", "{items} and {their} joints");
+  return { edits, text: say("remove {item}", { item: items }) };
 }
 
 /** Return the change that removes an item and the loads on it. */

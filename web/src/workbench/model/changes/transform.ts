@@ -1,5 +1,6 @@
 // Items of the case file moved, turned and mirrored: their places, footprints and the components of what acts on them.
 
+import { say, verbatim } from "../../../viewer/shared/language";
 import type { Edit } from "../edits";
 import { rectangleCorners } from "../geometry";
 import { applyTo, type Isometry, isReflection, keepsAxes, rotation } from "../isometry";
@@ -82,7 +83,8 @@ function placeParts(table: Table, by: Isometry): Table {
 
 function placePoint(point: Json[], by: Isometry): Json[] {
   const place = parsePoint(point);
-  if (!place) throw new Impossible(`${JSON.stringify(point)} is not a point with two lengths`);
+  if (!place)
+    throw new Impossible(say("{point} is not a point with two lengths", { point: verbatim(JSON.stringify(point)) }));
   return applyTo(by, place).map((value, n) => formatExact(value, point[n]));
 }
 
@@ -139,14 +141,15 @@ const QUANTITY = /^\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(\S.*?)\s*$/
 function combine(factors: readonly number[], values: readonly (Json | undefined)[]): Json | undefined {
   const terms = values.flatMap((value, n): [number, string, string][] => {
     const match = typeof value === "string" ? QUANTITY.exec(value) : null;
-    if (value !== undefined && !match) throw new Impossible(`${JSON.stringify(value)} is not a quantity`);
+    if (value !== undefined && !match)
+      throw new Impossible(say("{value} is not a quantity", { value: verbatim(JSON.stringify(value)) }));
     return match && factors[n] !== 0 && Number(match[1]) !== 0 ? [[factors[n]!, match[1]!, match[2]!]] : [];
   });
   const [first, ...others] = terms;
   if (!first) return undefined;
   if (others.some((term) => term[2] !== first[2])) {
     const units = terms.map((term) => term[2]).join(" and ");
-    throw new Impossible(`its components have different units (${units}); use the same unit first`);
+    throw new Impossible(say("its components have different units ({units}); use the same unit first", { units }));
   }
   if (others.length === 0 && first[0] === 1) return `${first[1]} ${first[2]}`;
   const sum = terms.reduce((total, [factor, number]) => total + factor * Number(number), 0);

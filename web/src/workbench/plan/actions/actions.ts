@@ -1,4 +1,5 @@
 // What is done with the selected items: moved, turned, mirrored, repeated, duplicated, copied, pasted, removed.
+import { counted, say } from "../../../viewer/shared/language";
 import type { Store } from "../../client/store";
 import {
   type Additions,
@@ -45,8 +46,9 @@ export class Actions {
     const tables = tablesAt(data, selected);
     const why = whyNotCopied(tables);
     if (why) throw new Impossible(why);
-    const number = isometries.length === 1 ? "copy" : `${isometries.length} copies of`;
-    return addCopies(data, tables, isometries, `${form.name}: ${number} ${title}`);
+    const what = { action: form.name, items: title };
+    const text = counted(isometries.length, "{action}: copy {items}", "{action}: {count} copies of {items}", what);
+    return addCopies(data, tables, isometries, text);
   }
 
   /** Return the items that a change makes or moves. */
@@ -72,7 +74,7 @@ export class Actions {
     const { data, selected } = this.store;
     const tables = tablesAt(data, selected);
     if (tables.length === 0) return;
-    this.addCopiesAt(tables, this.besides(), `duplicate ${titleOfAll(data, selected)}`);
+    this.addCopiesAt(tables, this.besides(), say("duplicate {items}", { items: titleOfAll(data, selected) }));
   }
 
   /** Return the load cases to choose from, and the one that new loads are in. */
@@ -99,7 +101,8 @@ export class Actions {
   /** Return the selected tables as text for the clipboard, empty if none can be copied. */
   copy(): string {
     const tables = tablesAt(this.store.data, this.store.selected);
-    if (tables.length > 0) this.showHint(`${titleOfAll(this.store.data, this.store.selected)} copied.`);
+    if (tables.length > 0)
+      this.showHint(say("{items} copied.", { items: titleOfAll(this.store.data, this.store.selected) }));
     return writeTables(tables);
   }
 
@@ -115,7 +118,7 @@ export class Actions {
     const center = middleOf(placed);
     const shift = at && placed.length > 0 ? translation([at[0] - center[0], at[1] - center[1]]) : this.besides();
     const title = titleOfAll(pasted, pathsOf(tables));
-    return this.addCopiesAt(tables, shift, `paste ${title}`);
+    return this.addCopiesAt(tables, shift, say("paste {items}", { items: title }));
   }
 
   private addCopiesAt(tables: readonly ListedTable[], shift: Isometry, text: string): boolean {
@@ -123,7 +126,7 @@ export class Actions {
       this.make(addCopies(this.store.data, tables, [shift], text));
     } catch (error) {
       if (!(error instanceof Impossible)) throw error;
-      this.showHint(`Cannot copy: ${error.message}.`);
+      this.showHint(say("Cannot copy: {why}.", { why: error.message }));
     }
     return true;
   }

@@ -1,6 +1,6 @@
 // The dialog of an action: its numbers, below the plan that shows what they make.
 import { button, fill, h, newId } from "../../../viewer/shared/dom";
-import { verbatim } from "../../../viewer/shared/language";
+import { together, verbatim } from "../../../viewer/shared/language";
 import type { Additions } from "../../model/changes/copies";
 import { Impossible } from "../../model/changes/transform";
 import type { Point } from "../../model/geometry";
@@ -88,10 +88,10 @@ export class ActionDialog {
 
   /** Mark the field that a fault begins with; returns the fault with the field's label. */
   private markFault(fault: string): string {
-    const [, key = "", rest = ""] = /^(\w+): (.*)$/s.exec(fault) ?? [];
+    const [, key = "", rest = ""] = /^(\w+)\s?: (.*)$/s.exec(fault) ?? [];
     for (const input of this.inputs) input.setAttribute("aria-invalid", String(input.name === key));
     const field = this.form!.fields.find((each) => each.key === key);
-    return field ? `${field.label}: ${rest}` : fault;
+    return field ? together([field.label, rest], ": ") : fault;
   }
 
   /** Fill in what a choice stands for; a choice that no longer holds becomes the first one. */

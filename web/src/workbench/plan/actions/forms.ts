@@ -1,5 +1,6 @@
 // What the dialogs of the actions ask for, and what they make of it.
 
+import { say } from "../../../viewer/shared/language";
 import { Impossible } from "../../model/changes/transform";
 import type { Point } from "../../model/geometry";
 import { type Isometry, reflection, rotation, translation } from "../../model/isometry";
@@ -154,5 +155,6 @@ function circle(values: Values, center: Point): Isometry[] {
 
 function requireFew(number: number): void {
   if (number < 2) throw new Impossible("found only the original, expected at least one copy");
-  if (number > MOST) throw new Impossible(`${number} copies are too many, expected at most ${MOST}`);
+  if (number > MOST)
+    throw new Impossible(say("{count} copies are too many, expected at most {most}", { count: number, most: MOST }));
 }

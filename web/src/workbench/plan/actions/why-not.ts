@@ -1,4 +1,5 @@
 // Why tools and actions can do nothing now, in words for users.
+import { say, verbatim } from "../../../viewer/shared/language";
 import type { Store } from "../../client/store";
 import { tablesAt, whyNotCopied } from "../../model/changes/copies";
 import type { Item } from "../../model/items";
@@ -26,8 +27,10 @@ export function whyFixed(item: Item): string {
     return "A rectangle defined by its side lengths is centered on the origin. Drag its edges, or convert it to a polygon to move it.";
   if (item.kind === "joint") return "It is where its plates meet and moves with them.";
   if (item.kind === "load") {
-    const host = item.table.wall ? `wall ${String(item.table.wall)}` : `column ${String(item.table.column)}`;
-    return `It is attached to ${host} and moves with it.`;
+    const host = item.table.wall
+      ? say("wall {name}", { name: verbatim(String(item.table.wall)) })
+      : say("column {name}", { name: verbatim(String(item.table.column)) });
+    return say("It is attached to {host} and moves with it.", { host });
   }
   if (item.kind === "wall") return "It stands along the slab's edge and moves with it.";
   return "It cannot be moved right now.";

@@ -1,5 +1,6 @@
 // Axes of the building: parallel ones across each other, rays and rings, or those on which the columns stand.
 
+import { say } from "../../../viewer/shared/language";
 import { axesIn, countOn } from "../../model/axes";
 import { attachAll, countAttached, formatDistances } from "../../model/changes/attachment";
 import { applyOptimistic } from "../../model/changes/optimistic-edits";
@@ -48,7 +49,7 @@ export const BUILDING_AXES: Generator = {
     return {
       change: { edits: [...added, ...attached], text: "add axes" },
       paths: families.slice(0, 1).map((_, n): Path => ["axes", first + n]),
-      note: number > 0 ? `${number} parts on their crossings are attached to them.` : "",
+      note: number > 0 ? say("{count} parts on their crossings are attached to them.", { count: number }) : "",
     };
   },
 };
@@ -62,7 +63,8 @@ function freeFirst(taken: readonly string[], family: Table): string {
 }
 
 function requireFew(number: number): void {
-  if (number > MOST) throw new Impossible(`${number} axes are too many, expected at most ${MOST}`);
+  if (number > MOST)
+    throw new Impossible(say("{count} axes are too many, expected at most {most}", { count: number, most: MOST }));
 }
 
 function gridOf(values: Values): Table[] {

@@ -1,5 +1,6 @@
 // Columns on the axes of a building, with a load each.
 
+import { say } from "../../../viewer/shared/language";
 import { axesIn, crossingsOf, letters } from "../../model/axes";
 import { attach } from "../../model/changes/attachment";
 import { applyOptimistic } from "../../model/changes/optimistic-edits";
@@ -45,7 +46,10 @@ export const COLUMN_GRID: Generator = {
   generate: (data, values) => {
     const on = makeIsOnSlab(data);
     const all = isGrid(values) ? placesOfGrid(values) : placesOnAxes(data);
-    if (all.length > MOST) throw new Impossible(`${all.length} columns are too many, expected at most ${MOST}`);
+    if (all.length > MOST)
+      throw new Impossible(
+        say("{count} columns are too many, expected at most {most}", { count: all.length, most: MOST }),
+      );
     const kept = all.filter(({ at }) => on(at));
     if (kept.length === 0) throw new Impossible("none of them would be on the slab");
     const first = loadOf(data, values, "P", "case");
@@ -72,9 +76,12 @@ export const COLUMN_GRID: Generator = {
     const count = listAt(data, ["columns"]).length;
     const left = all.length - kept.length;
     return {
-      change: { edits, text: `add ${kept.length} columns` },
+      change: { edits, text: say("add {count} columns", { count: kept.length }) },
       paths: kept.map((_, n): Path => ["columns", count + n]),
-      note: `${kept.length} columns.${left > 0 ? ` ${left} outside the slab were skipped.` : ""}`,
+      note: say(left > 0 ? "{count} columns. {left} outside the slab were skipped." : "{count} columns.", {
+        count: kept.length,
+        left,
+      }),
     };
   },
 };
@@ -90,7 +97,9 @@ function placesOfGrid(values: Values): Place[] {
   const xs = axes(lengthOf(values, "x"), lengthsOf(values, "spacing_x"));
   const ys = axes(lengthOf(values, "y"), lengthsOf(values, "spacing_y"));
   if (xs.length * ys.length > MOST)
-    throw new Impossible(`${xs.length * ys.length} columns are too many, expected at most ${MOST}`);
+    throw new Impossible(
+      say("{count} columns are too many, expected at most {most}", { count: xs.length * ys.length, most: MOST }),
+    );
   return ys.flatMap((y, row) => xs.map((x, n): Place => ({ name: `${letters(n)}${row + 1}`, at: [x, y] })));
 }
 

@@ -1,4 +1,5 @@
 // Forklifts of EN 1991-1-1 as a choice that fills in the fields of a vehicle.
+import { say, verbatim } from "../../../viewer/shared/language";
 import type { ActionField, Values } from "../fields";
 
 //: class, axle load Q_k [kN] (Table 6.6), width of the axle a [m] (Table 6.5) of EN 1991-1-1:2002; each wheel stands on
@@ -39,7 +40,7 @@ function valuesOf(name: string): Values | null {
 
 /** Return what is to be known of the values of a class, empty for own values. */
 export function noteOnForklift(name: string | undefined): string {
-  return valuesOf(name ?? "")
-    ? ` ${name} is quoted from memory of EN 1991-1-1, Tables 6.5 and 6.6: verify it and enter the dynamic factor.`
-    : "";
+  const said =
+    "{name} is quoted from memory of EN 1991-1-1, Tables 6.5 and 6.6: verify it and enter the dynamic factor.";
+  return name && valuesOf(name) ? say(said, { name: verbatim(name) }) : "";
 }

@@ -1,4 +1,5 @@
 // Racks: rows of frames with two legs each, single or back to back.
+import { say, verbatim } from "../../../viewer/shared/language";
 import type { Additions } from "../../model/changes/copies";
 import { Impossible, turnFootprint } from "../../model/changes/transform";
 import type { Edit } from "../../model/edits";
@@ -58,14 +59,18 @@ export const RACKS: Generator = {
     const frames = countOf(values, "bays") + 1;
     const rows = countOf(values, "rows");
     const legs = rows * frames * across.length;
-    if (legs > MOST_LEGS) throw new Impossible(`${legs} legs are too many, expected at most ${MOST_LEGS}`);
+    if (legs > MOST_LEGS)
+      throw new Impossible(say("{count} legs are too many, expected at most {most}", { count: legs, most: MOST_LEGS }));
     const found = chosenCase(data, values, "racks", true);
     const make = values.as === LOADS ? asLoads : asPattern;
     const made = make(data, values, across, found.case);
     return {
-      change: { edits: [...found.edits, ...made.change.edits], text: `add ${legs} legs of racks` },
+      change: {
+        edits: [...found.edits, ...made.change.edits],
+        text: say("add {count} legs of racks", { count: legs }),
+      },
       paths: made.paths,
-      note: `${legs} legs.`,
+      note: say("{count} legs.", { count: legs }),
     };
   },
 };
@@ -102,7 +107,13 @@ function asPattern(data: Table, values: Values, across: readonly number[], loadC
   const name = freeName(namesIn(listAt(data, ["patterns"])), "rack");
   const frames = countOf(values, "bays") + 1;
   if (frames > MOST_FRAMES)
-    throw new Impossible(`bays: found "${values.bays}", expected at most ${MOST_FRAMES - 1} of a pattern`);
+    throw new Impossible(
+      say('{key}: found "{text}", expected at most {most} of a pattern', {
+        key: verbatim("bays"),
+        text: verbatim(values.bays!),
+        most: MOST_FRAMES - 1,
+      }),
+    );
   const { P, ...plate } = legOf(values);
   const pattern: Table = {
     kind: "rack",

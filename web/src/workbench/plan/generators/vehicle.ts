@@ -1,9 +1,21 @@
 // A vehicle of two axles that moves along a path.
+import { say, together, verbatim } from "../../../viewer/shared/language";
 import { Impossible } from "../../model/changes/transform";
 import { freeName, namesIn } from "../../model/names";
 import { listAt, type Table } from "../../model/paths";
 import { formatLength } from "../../model/quantities";
-import { type Force, force, forceOf, length, lengthOf, newtonsOf, pressureOf, sizeOf, type Values } from "../fields";
+import {
+  type Force,
+  force,
+  forceOf,
+  length,
+  lengthOf,
+  newtonsOf,
+  pressureOf,
+  refuse,
+  sizeOf,
+  type Values,
+} from "../fields";
 import { FORKLIFT, noteOnForklift } from "./forklifts";
 import { chosenCase, formatForce, type Generator, IMPOSED_CASE } from "./generator";
 
@@ -49,7 +61,7 @@ export const VEHICLE: Generator = {
     const [from, to] = [place(values, "x", "y"), place(values, "x2", "y2")];
     const distance = Math.hypot(to[0] - from[0], to[1] - from[1]);
     const step = lengthOf(values, "step");
-    if (step < 0.05) throw new Impossible(`step: found "${values.step}", expected at least 0.05 m`);
+    if (step < 0.05) refuse('{key}: found "{text}", expected at least 0.05 m', "step", values.step!);
     if (distance === 0) throw new Impossible("the path ends where it begins, expected a different end");
     const points = [from, to].map(([x, y]) => [formatLength(x), formatLength(y)]);
     // several paths of one case need names
@@ -63,10 +75,13 @@ export const VEHICLE: Generator = {
           { op: "add", path: ["patterns"], value: { kind: "vehicle", name, wheels: wheelsOf(values) } },
           { op: "add", path: ["moves"], value: move },
         ],
-        text: `add ${name}`,
+        text: say("add {item}", { item: verbatim(name) }),
       },
       paths: [["moves", listAt(data, ["moves"]).length]],
-      note: `${positions} positions. Drag the middle of the path to add a corner.${noteOnForklift(values.class)}`,
+      note: together([
+        say("{count} positions. Drag the middle of the path to add a corner.", { count: positions }),
+        noteOnForklift(values.class),
+      ]),
     };
   },
 };
@@ -78,7 +93,7 @@ function place(values: Values, x: string, y: string): [number, number] {
 /** Return the wheels, those in front at the origin; an axle without a load has none. */
 function wheelsOf(values: Values): Table[] {
   const factor = Number((values.factor ?? "").trim().replace(",", ".") || Number.NaN);
-  if (!(factor > 0)) throw new Impossible(`factor: found "${values.factor}", expected a number such as 1.4`);
+  if (!(factor > 0)) refuse('{key}: found "{text}", expected a number such as 1.4', "factor", values.factor!);
   const [half, base] = [sizeOf(values, "track") / 2, sizeOf(values, "base")];
   const axles = [
     { load: axleLoadOf(values, "front"), x: 0 },
@@ -97,7 +112,7 @@ function wheelsOf(values: Values): Table[] {
 
 function axleLoadOf(values: Values, key: string): Force {
   const load = forceOf(values, key);
-  if (load.value < 0) throw new Impossible(`${key}: found "${values[key]}", expected a force from 0`);
+  if (load.value < 0) refuse('{key}: found "{text}", expected a force from 0', key, values[key]!);
   return load;
 }
 

@@ -1,5 +1,7 @@
 // Dragging an axis of the building: a straight one sideways, a ray about its center, a ring outwards.
+
 import { distanceBetween } from "../../../viewer/data/points";
+import { say, verbatim } from "../../../viewer/shared/language";
 import { type Axis, axesIn, parseDistances } from "../../model/axes";
 import { angleEdits, axisEdits } from "../../model/changes/attachment";
 import type { Change, Edit } from "../../model/edits";
@@ -42,15 +44,19 @@ export class AxisGesture {
   /** Return the change that was made, null for none. */
   change(): Change | null {
     const { name, ray } = this.axis;
-    const text = ray ? `turn axis ${name}` : `move axis ${name}`;
+    const text = ray
+      ? say("turn axis {name}", { name: verbatim(name) })
+      : say("move axis {name}", { name: verbatim(name) });
     return this.edits.length > 0 ? { edits: [...this.edits], text } : null;
   }
 
   /** Return why what was typed is no value, in words. */
   refusal(typed: string): string {
     return this.axis.ray
-      ? `Found "${typed}", expected an angle such as 30.`
-      : `Found "${typed}", expected a length such as 3.5 that ends before the next axis.`;
+      ? say('Found "{typed}", expected an angle such as 30.', { typed: verbatim(typed) })
+      : say('Found "{typed}", expected a length such as 3.5 that ends before the next axis.', {
+          typed: verbatim(typed),
+        });
   }
 
   private take(value: number): boolean {

@@ -1,6 +1,8 @@
 // What pointers do between press and release: moving, reshaping and drawing.
+
 import { withMinus } from "../../../viewer/data/numbers";
 import { distanceBetween } from "../../../viewer/data/points";
+import { say, together } from "../../../viewer/shared/language";
 import type { Axis } from "../../model/axes";
 import { attach, detach, detachingEdits } from "../../model/changes/attachment";
 import {
@@ -66,7 +68,7 @@ export function moveChange(items: readonly Item[], by: Point, axes: readonly Axi
   const moved = items.filter((item) => item.movable);
   const isPlain = moved.length === 1 && axes.length === 0;
   const edits = moved.flatMap((item) => (isPlain ? moveItem(item, by) : translateItem(item, by, axes)));
-  return { edits, text: `move ${countItems(moved)}` };
+  return { edits, text: say("move {items}", { items: countItems(moved) }) };
 }
 
 function moveItem(item: Item, by: Point): Edit[] {
@@ -154,7 +156,7 @@ export class ReshapeGesture implements DragGesture {
     const bends = this.bends && this.handle.kind === "add" && canBend(this.item.geometry);
     const handle: Handle = bends ? { ...this.handle, kind: "bend" } : this.handle;
     this.after = dragHandle(this.item.geometry, handle, at) ?? this.after;
-    return { geometry: this.after, item: this.item, text: `${formatPoint(at)}   ${measureText(this.after)}` };
+    return { geometry: this.after, item: this.item, text: together([formatPoint(at), measureText(this.after)], "   ") };
   }
 
   change(): Change | null {
@@ -163,8 +165,8 @@ export class ReshapeGesture implements DragGesture {
     // a corner that is dragged leaves the axes, and the line with it
     const edits = [...detachingEdits(this.item), ...written];
     const corners = (geometry: Geometry) => ("points" in geometry ? geometry.points.length : 0);
-    const verb = corners(this.after) > corners(this.item.geometry) ? "add a corner to" : "reshape";
-    return { edits, text: `${verb} ${this.item.title}` };
+    const isMore = corners(this.after) > corners(this.item.geometry);
+    return { edits, text: say(isMore ? "add a corner to {item}" : "reshape {item}", { item: this.item.title }) };
   }
 }
 
@@ -215,18 +217,22 @@ export class DrawGesture {
     if (this.isRound && this.dragging) {
       const radius = roundOff(distanceBetween(first, at));
       const geometry: Geometry = { type: "circle", at: [], center: first, radius };
-      return { geometry, item: null, text: `${formatPoint(first)}   ${measureText(geometry)}` };
+      return { geometry, item: null, text: together([formatPoint(first), measureText(geometry)], "   ") };
     }
     if (this.tool.draws === "shape" && this.dragging) {
       const geometry: Geometry = { type: "box", at: [], x: [first[0], at[0]], y: [first[1], at[1]] };
       const text = sizeText(Math.abs(at[0] - first[0]), Math.abs(at[1] - first[1]));
-      return { geometry, item: null, text: `${formatPoint(at)}   ${text}` };
+      return { geometry, item: null, text: together([formatPoint(at), text], "   ") };
     }
     const last = this.points.at(-1) ?? first;
     const length = formatDecimals(distanceBetween(at, last), 3);
     const angle = formatDecimals((Math.atan2(at[1] - last[1], at[0] - last[0]) * 180) / Math.PI, 1);
     const geometry: Geometry = { type: "line", at: [], points: [...this.points, at], bulges: [] };
-    return { geometry, item: null, text: `${formatPoint(at)}   ${length} m at ${angle}°` };
+    return {
+      geometry,
+      item: null,
+      text: say("{point}   {length} m at {angle}°", { point: formatPoint(at), length, angle }),
+    };
   }
 
   /** Return the change that adds what has been drawn, null if it is not enough. */
@@ -267,9 +273,9 @@ function measureText(geometry: Geometry): string {
       return formatPoint([geometry.x, geometry.y]);
     default: {
       const ring: Ring = ringOf(geometry);
-      if (isClosed(geometry)) return `${ring.length} corners`;
+      if (isClosed(geometry)) return say("{count} corners", { count: ring.length });
       const length = ring.slice(1).reduce((sum, point, n) => sum + distanceBetween(point, ring[n]!), 0);
-      return `${formatDecimals(length, 3)} m long`;
+      return say("{length} m long", { length: formatDecimals(length, 3) });
     }
   }
 }

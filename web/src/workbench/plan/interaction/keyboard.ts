@@ -1,5 +1,7 @@
 // The keyboard in the drawing.
+
 import { ARROWS } from "../../../viewer/shared/keys";
+import { say, verbatim } from "../../../viewer/shared/language";
 import type { Store } from "../../client/store";
 import { detachingEdits } from "../../model/changes/attachment";
 import type { Change } from "../../model/edits";
@@ -107,7 +109,7 @@ export class Keyboard {
     this.typed = typed;
     const { current } = this.tools;
     const what = this.pointer.isMoving ? "move here" : "draw to here";
-    this.showHint(hint || (typed ? `${typed} — Enter: ${what}` : current().hint));
+    this.showHint(hint || (typed ? say("{typed} — Enter: {what}", { typed: verbatim(typed), what }) : current().hint));
   }
 
   /** Open the dialog of a key; returns whether there is one, an action only if something is selected. */
@@ -139,7 +141,7 @@ export class Keyboard {
     if (selected && after && !this.store.broken) {
       this.canvas.corner = null;
       const edits = [...detachingEdits(selected), ...editsBetween(selected.geometry, after)];
-      this.push({ edits, text: `remove a corner of ${selected.title}` });
+      this.push({ edits, text: say("remove a corner of {item}", { item: selected.title }) });
     } else this.actions.remove();
   }
 

@@ -1,5 +1,7 @@
 // The pointer over the drawing: selecting, moving, reshaping, drawing, moving and zooming the view.
+
 import { isFar, pixelOf, Touches, zoomByWheel } from "../../../viewer/plan/navigation";
+import { say, verbatim } from "../../../viewer/shared/language";
 import type { Store } from "../../client/store";
 import type { Addition, Change } from "../../model/edits";
 import type { Point } from "../../model/geometry";
@@ -78,7 +80,7 @@ export class Pointer {
   /** Return why what was typed is nothing that can be placed, in words. */
   refusal(typed: string): string {
     if (this.press?.kind === "axis") return this.press.gesture.refusal(typed);
-    return `Found "${typed}", expected a length such as 3.5 or a point such as 2;3.`;
+    return say('Found "{typed}", expected a length such as 3.5 or a point such as 2;3.', { typed: verbatim(typed) });
   }
 
   /** Go on drawing or moving at a place or by a length that was typed; returns whether it was one. */

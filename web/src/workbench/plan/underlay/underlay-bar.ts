@@ -59,7 +59,7 @@ function makeFields(store: Store, underlay: Underlay, change: (changes: Partial<
 /** Return the field of a coordinate of the drawing's origin on the plan. */
 function offsetInput(store: Store, axis: 0 | 1, change: (changes: Partial<Underlay>) => void): HTMLInputElement {
   const present = () => formatDecimals(store.underlay?.offset[axis] ?? 0, 6);
-  const title = `${axis === 0 ? "x" : "y"} of the drawing's origin on the plan`;
+  const title = axis === 0 ? "x of the drawing's origin on the plan" : "y of the drawing's origin on the plan";
   const input = h("input", { type: "text", title, "aria-label": title, value: present(), spellcheck: "false" });
   input.addEventListener("change", () => {
     const value = parseTyped(input.value);
