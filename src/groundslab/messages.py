@@ -27,6 +27,8 @@ Writer = Callable[[Any, str], str]
 FORMATS: Mapping[str, Callable[[float], str]] = {
     "at": format_coordinate, "place": format_drawn_coordinate, "number": format_drawn,
 }  # fmt: skip
+#: What stands in the hole of a text that begins with a capital letter.
+CAPITAL = "capital"
 
 
 class Name(str):
@@ -149,7 +151,8 @@ def capitalized(text: str, change: Callable[[str], str] = str.upper) -> str:
     if isinstance(text, Listed) or template.startswith("{"):
         first = next(iter(values)) if isinstance(text, Listed) else holes_of(template)[0][1]
         assert first is not None
-        values[first] = capitalized(values[first], change)
+        if isinstance(values[first], str):
+            values[first] = capitalized(values[first], change)
     else:
         template = change(template[0]) + template[1:]
     return type(text)._made(template, values, text.units)
@@ -231,7 +234,7 @@ def key_of(template: str) -> str:
 def written(value: Any, spec: str, units: System = "SI") -> str:
     """Return a value as text: a number or a place by its format and unit, given in SI units, in those of a system."""
     if isinstance(value, str):
-        return value
+        return value[:1].upper() + value[1:] if spec == CAPITAL else value
     form, _, unit = spec.partition(" ")
     shown, factor = unit_in(unit.strip("()"), units)
     if factor != 1.0:

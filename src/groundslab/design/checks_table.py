@@ -6,9 +6,10 @@ from dataclasses import replace
 from math import isfinite
 from operator import attrgetter
 
+from groundslab.design.basis.check import DesignCheck
 from groundslab.design.checks import check_design
 from groundslab.design.tables.table import Column, Table, table_of
-from groundslab.messages import Message, Name
+from groundslab.messages import Clause, Message
 from groundslab.results.results import Results
 
 #: What is said where demands have errors.
@@ -31,7 +32,7 @@ def checks_table(combined: Results) -> Table:
         x, y = check.place or (None, None)
         sizes = check.demand, check.resistance, check.unit or None
         rows.append([check.name, check.of or None, check.utilisation, check.verdict, *sizes, check.combination or None,
-                     x, y, check.clause or None, check.words])  # fmt: skip
+                     x, y, _clause(check) or None, check.words])  # fmt: skip
     notes = ["The utilisation is demand over limit; of an area in contact, which must not be less, limit over demand."]
     table = table_of("checks", "Checks of the design", heads, rows, notes)
     if all(check.error is None for check in checks):
@@ -39,7 +40,12 @@ def checks_table(combined: Results) -> Table:
     of_ratios = [error if error is None or isfinite(error) else None for error in map(_ERROR, checks)]
     errors = {"demand": [check.error for check in checks], "utilisation": of_ratios}
     columns = (
-        Column(Message("error of {name}", name=Name(name)), "", tuple(values), error_of=name)
+        Column(Message("error of {name}", name=name), "", tuple(values), error_of=name)
         for name, values in errors.items()
     )
     return replace(table, columns=(*table.columns, *columns), notes=(*table.notes, HANGS))
+
+
+def _clause(check: DesignCheck) -> str:
+    """Return where a check is ruled."""
+    return check.clause if isinstance(check.clause, Message) else Clause(check.clause)

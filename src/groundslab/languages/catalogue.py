@@ -181,7 +181,12 @@ class Catalogue:
         return text
 
     def _message(self, said: Message) -> str:
-        """Return a message by the translation of its template, its values in the language."""
+        """Return a message by the translation of its template, its values in the language.
+
+        One of labels alone, such as "error of {name}", has an entry of its own where their words change their form.
+        """
+        if said in self.whole and all(type(value) is str for value in said.values.values()):
+            return self.whole[said]
         key = said.key
         template = self.whole.get(key.strip())
         if template is None:
@@ -192,9 +197,8 @@ class Catalogue:
             template = key.replace(key.strip(), template, 1)
 
         def write(value: Any, spec: str) -> str:
-            if isinstance(value, str):
-                return self._translated(value, 0)
-            return with_commas(written(value, spec, said.units))
+            text = self._translated(value, 0) if isinstance(value, str) else written(value, spec, said.units)
+            return written(text, spec) if isinstance(value, str) else with_commas(text)
 
         return _TWO_STOPS.sub(".", fill(template, said.template, said.values, write))
 

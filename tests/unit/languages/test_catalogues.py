@@ -18,6 +18,8 @@ from groundslab.messages import key_of
 
 OTHERS: list[Language] = [language for language in LANGUAGES if language != "en"]
 GAP = re.compile(r"\{(\d*)\}")
+#: A hole with a format: of the template of a message.
+FORMATTED = re.compile(r"\{[a-z]\w*:[^{}]+\}", re.IGNORECASE)
 HOLE = re.compile(r"\{([A-Za-z_]\w*)\}")
 #: Where messages are made that reports and summaries show.
 SOURCES = ("design", "results/fields.py", "model/remarks", "views/summary", "views/report/assumptions.py")
@@ -239,7 +241,8 @@ def texts_of(tree: ast.AST) -> Iterator[str]:
             pieces = [str(part.value) if isinstance(part, ast.Constant) else "{}" for part in node.values]
             yield filled("".join(pieces))
         elif isinstance(node, ast.Constant) and isinstance(node.value, str):
-            yield filled(node.value)
+            is_template = FORMATTED.search(node.value) and not NO_MESSAGE.search(node.value)
+            yield key_of(node.value) if is_template else filled(node.value)
         else:
             yield from texts_of(node)
 

@@ -8,6 +8,7 @@ import numpy as np
 
 from groundslab.design.basis.calculation import Step
 from groundslab.design.basis.check import DesignCheck
+from groundslab.messages import Clause, Message
 from groundslab.model.design.laid_bars import LaidBars, axis_of, bars_of
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.fields import LAYERS
@@ -35,7 +36,14 @@ def check_spacing(
     return DesignCheck(
         "distance of bars",
         "no failure found" if holds else "fails",
-        f"{layer.replace('_', ' ')}: {spacing:.4g} {'<=' if holds else '>'} {most:.4g} mm ({clause})",
+        Message(
+            "{layer}: {spacing:.4g (mm)} {sign} {most:.4g mm} ({clause})",
+            layer=layer.replace("_", " "),
+            spacing=spacing,
+            sign="<=" if holds else ">",
+            most=most,
+            clause=Clause(clause),
+        ),
         of=layer.replace("_", " "),
         demand=spacing,
         resistance=most,
@@ -72,11 +80,18 @@ def check_clear(
     node = int(np.argmin(laid[layer].clear - needed[layer]))
     clear, most = max(float(laid[layer].clear[node]), 0.0) * _MM, float(needed[layer][node]) * _MM
     holds, name = clear >= most - ROUNDING * _MM, layer.replace("_", " ")
-    without = "" if steel.aggregate is not None else "; the size of the aggregate is not given"
     return DesignCheck(
         "clear distance of bars",
         "no failure found" if holds else "fails",
-        f"{name}: {clear:.4g} {'>=' if holds else '<'} {most:.4g} mm ({clause}){without}",
+        Message(
+            "{name}: {clear:.4g (mm)} {sign} {most:.4g mm} ({clause}){without}",
+            name=name,
+            clear=clear,
+            sign=">=" if holds else "<",
+            most=most,
+            clause=Clause(clause),
+            without="" if steel.aggregate is not None else "; the size of the aggregate is not given",
+        ),
         of=name,
         demand=clear,
         resistance=most,
@@ -132,7 +147,14 @@ def check_cover(
     return DesignCheck(
         "cover",
         "no failure found" if holds else "fails",
-        f"{name}: {cover * _MM:.4g} {'>=' if holds else '<'} {most * _MM:.4g} mm {where}",
+        Message(
+            "{name}: {cover:.4g (mm)} {sign} {most:.4g mm} {where}",
+            name=name,
+            cover=cover * _MM,
+            sign=">=" if holds else "<",
+            most=most * _MM,
+            where=where,
+        ),
         of=name,
         demand=cover * _MM,
         resistance=most * _MM,

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from typing import Protocol, TypeVar
 
 from groundslab.design.basis.check import MOST_NAMED, NO_PERIMETER, SUPPORT_INSIDE, DesignCheck, not_judged
-from groundslab.messages import Message, Name
+from groundslab.messages import Message, Name, joined
 from groundslab.model.design.reinforcement import Reinforcement
 
 Heads = tuple[tuple[str, str], ...]
@@ -197,7 +197,7 @@ def with_the_rest(
         else ""
     )
     if check is not None:
-        yield replace(check, words=f"{check.words}; {one_way}") if one_way else check
+        yield replace(check, words=joined((check.words, one_way), "; ")) if one_way else check
     elif one_way or not (supported or bare):
         yield DesignCheck(name, "no failure found", one_way or none)
     if supported:
@@ -210,7 +210,7 @@ def with_the_rest(
             worst=worst,
             supported=supported[worst],
         )
-        yield not_judged(Message("{name} beside supports", name=Name(name)), SUPPORT_INSIDE, words, of=worst)
+        yield not_judged(Message("{name} beside supports", name=name), SUPPORT_INSIDE, words, of=worst)
     if bare:
         words = Message(
             "{many} ({named}) have no perimeter; {bare}: {missing}",
@@ -219,7 +219,7 @@ def with_the_rest(
             bare=bare[0],
             missing=missing[bare[0]],
         )
-        yield not_judged(Message("{name} without a perimeter", name=Name(name)), NO_PERIMETER, words, of=bare[0])
+        yield not_judged(Message("{name} without a perimeter", name=name), NO_PERIMETER, words, of=bare[0])
 
 
 def _named(names: list[str]) -> str:

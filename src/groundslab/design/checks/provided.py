@@ -56,7 +56,7 @@ def _area(worst: required_bars.Need, code: DesignCode, error: float | None) -> D
         else ""
     )
     return DesignCheck(
-        Message("bars at the {name}", name=Name(name)),
+        Message("bars at the {name}", name=name),
         "no failure found" if enough else "fails",
         Message(
             "{area:.4g (cm2/m)} {sign} {laid:.4g cm2/m}{where}{by} ({clause})",

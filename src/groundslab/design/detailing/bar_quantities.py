@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from groundslab.design.detailing.positions import MOST_LENGTHS, Position, positions
 from groundslab.design.punching_links.layout import LinkLayout
 from groundslab.design.tables.table import Cell, Table, table_of
-from groundslab.messages import Message
+from groundslab.messages import Message, joined
 from groundslab.model.model import Model
 from groundslab.model.plates.region import PlateRegion
 
@@ -35,7 +35,8 @@ def bars(model: Model, links: Sequence[LinkLayout] = ()) -> Table:
         number, length, mass, share = (sum(float(row[i] or 0) for row in rows) for i in (7, 11, 12, 13))
         rows.append([None, "all layers", *[None] * 5, round(number), None, None, None, length, mass, share])
     detailing = None if model.reinforcement is None else model.reinforcement.detailing
-    cut = "Straight bars, cut by the outline, by openings and by the borders of zones; of meshes their wires. " + (
+    cut = "Straight bars, cut by the outline, by openings and by the borders of zones; of meshes their wires."
+    rest = (
         "Laps, hooks, bars around edges and openings, spacers and waste are not in it, and the cover at the ends "
         "of bars is not taken off."
         if detailing is None
@@ -48,7 +49,8 @@ def bars(model: Model, links: Sequence[LinkLayout] = ()) -> Table:
     )
     notes = [
         Message(
-            "{cut} Steel of 7850 kg/m3 (EN 1992-1-1 3.2.7(3)); the mass per area is over all of the slab.", cut=cut
+            "{cut} Steel of 7850 kg/m3 (EN 1992-1-1 3.2.7(3)); the mass per area is over all of the slab.",
+            cut=joined((cut, rest), " "),
         ),
         *([LINKS_NOTE] if any(layout.perimeters for layout in links) else []),
         Message(

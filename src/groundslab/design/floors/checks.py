@@ -123,9 +123,9 @@ def _split_by_plate(results: list[CombinationResult]) -> dict[str, list[Combinat
 
 def _of_plate(name: str, check: DesignCheck) -> DesignCheck:
     """Return a check with the name of its plate."""
-    of = f"{name}, {check.of}" if check.of else name
-    words = check.words.removeprefix(f"{check.of}: ") if check.of else check.words
-    return replace(check, of=of, words=Message("{of}: {text}", of=of, text=words))
+    if check.of:  # which the words begin with
+        return replace(check, of=joined((Name(name), check.of)), words=joined((Name(name), check.words)))
+    return replace(check, of=Name(name), words=Message("{name}: {text}", name=Name(name), text=check.words))
 
 
 def _serviceable(combined: Results) -> list[CombinationResult]:
@@ -220,7 +220,9 @@ def _by_aci(floor: ACI360Floor, slab: Slab, standing: Standing) -> Iterator[Desi
         worst = max(range(len(uses)), key=lambda number: uses[number].share)
         use = replace(uses[worst], error=_error_of_stress(results[worst], sign))
         yield _check("flexural stress", face, use, "MPa", 1e-6, clause)
-    yield from _pressures(slab, (allowed - drag) * slab.h**2 / 6, results, f"PCA, ACI 360R-10 A1{slab.springs}")
+    yield from _pressures(
+        slab, (allowed - drag) * slab.h**2 / 6, results, Message("PCA, ACI 360R-10 A1{springs}", springs=slab.springs)
+    )
     if floor.R_e3 is not None:
         M_0 = floor.f_r * (1 + floor.R_e3) * slab.h**2 / 6
 
@@ -365,7 +367,13 @@ def _check(name: str, of: str, use: Use, unit: str, scale: float, clause: str) -
     return DesignCheck(
         name,
         "no failure found" if holds else "fails",
-        f"{of + ': ' if of else ''}{values}{where} ({clause})",
+        Message(
+            "{of}: {values}{where} ({clause})" if of else "{values}{where} ({clause})",
+            **({"of": of} if of else {}),
+            values=values,
+            where=where,
+            clause=clause,
+        ),
         of=of,
         demand=use.demand * scale,
         resistance=use.resistance * scale,

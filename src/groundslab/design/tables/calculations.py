@@ -18,6 +18,7 @@ from groundslab.design.codes import code_of
 from groundslab.design.demands.perimeters import SketchedPerimeter
 from groundslab.design.required_bars import MINIMUM, MOMENT, governing_needs, section_name
 from groundslab.design.tables.table import Cell, Table, table_of
+from groundslab.messages import Clause, joined
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.fields import LAYERS
 from groundslab.results.results import Results
@@ -44,7 +45,7 @@ def calculations(combined: Results) -> Table:
         for step in steps:
             numbers = with_numbers(step, known) if step.formula else ""
             about: list[Cell] = [check, of, combination, step.words, step.symbol, step.formula, numbers]
-            rows.append([*about, step.value, step.unit, step.clause, x, y])
+            rows.append([*about, step.value, step.unit, Clause(step.clause), x, y])
             known[step.symbol] = step.value
     return table_of("calculations", "Calculations", _HEADS, rows, _NOTES)
 
@@ -96,5 +97,5 @@ def _bending(
         rule = code_of(steel).bending(steel, state)
         alone = rule.required(np.array([abs(bars.moment)]), bars.d, thickness=bars.thickness)
         if not alone.fails[0]:  # without bars in compression, which the steps know nothing of
-            of = f"{need.layer.replace('_', ' ')}, {section_name(need.section)}"
+            of = joined((need.layer.replace("_", " "), section_name(need.section)))
             yield "bending", Calculation(of, need.combination, tuple(by_steps(steel, bars, state)), place=need.place)

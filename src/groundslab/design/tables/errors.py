@@ -11,7 +11,7 @@ from groundslab.accuracy.values import error_of_contact_share, errors_of_extreme
 from groundslab.design.codes import CODES
 from groundslab.design.tables.quantities import ranged_fields, ranged_values
 from groundslab.design.tables.table import Cell, Column, Table
-from groundslab.messages import Message, Name
+from groundslab.messages import Message
 from groundslab.results.fields import LINE_FORCE, POINT_FIELDS, RANGED_FIELDS
 from groundslab.results.results import CombinationResult, Results
 
@@ -113,7 +113,7 @@ def with_errors_of_envelope(envelope: Table, extremes: Table) -> Table:
     columns = {}
     for name in ("least", "greatest"):
         columns[name] = zip(
-            envelope[Message("combination of the {name}", name=Name(name))], envelope["quantity"], repeat(name)
+            envelope[Message("combination of the {name}", name=name)], envelope["quantity"], repeat(name)
         )
     return _with_known(envelope, extremes, columns)
 
@@ -192,7 +192,7 @@ def _with_errors(table: Table, coarser: Table, combination: Sequence[Cell], comb
 def _name(name: str) -> str:
     """Return the name of the column with the errors of another one."""
     return (
-        Message("error of the {name}", name=Name(name))
+        Message("error of the {name}", name=name)
         if name in ("least", "greatest")
-        else Message("error of {name}", name=Name(name))
+        else Message("error of {name}", name=name)
     )

@@ -9,6 +9,7 @@ from groundslab.design.by_plate import results_by_plate
 from groundslab.design.tables.quantities import ranged_fields, ranged_values
 from groundslab.design.tables.table import Cell, Table, table_of
 from groundslab.design.tilt import tilt
+from groundslab.messages import Message, Name, joined
 from groundslab.model.loads.load_cases import Combination
 from groundslab.model.remarks.resultants import case_forces
 from groundslab.model.remarks.singular_places import notes_on_singular_places
@@ -75,12 +76,13 @@ def factors(combined: Results, combination: Combination) -> str:
     """Return the load factors of a combination as a sum, as in "1.35 G + 1.5 Q"."""
     if not combined.model.cases:
         return "all loads"
-    text = ""
+    terms: list[str] = []
     for name, factor in combination.factors:
         if factor != 0:
-            joint = (" - " if factor < 0 else " + ") if text else ("-" if factor < 0 else "")
-            text += f"{joint}{abs(factor):g} {name}"
-    return text
+            size = abs(factor) if terms else factor
+            terms += [" - " if factor < 0 else " + "] if terms else []
+            terms.append(Message("{factor:g} {name}", factor=size, name=Name(name)))
+    return joined(terms, "")
 
 
 def _figures(results: CombinationResult) -> list[Cell]:

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from groundslab.messages import Message, joined
+from groundslab.messages import Message, counted, joined
 from groundslab.model.loads.load_cases import Combination, LimitState, LoadCase
 from groundslab.model.loads.patterns import position_names
 
@@ -27,15 +27,15 @@ class Acting:
 
     def words(self) -> str:
         """Return it in words, such as "ultimate 1 to 1.35 (4 of 6)"."""
-        factors = f"{self.least:.6g}" + (
-            "" if self.least == self.greatest else Message(" to {greatest:.6g}", greatest=self.greatest)
-        )
+        return Message("{limit_state} {factors}", limit_state=self.limit_state, factors=self.factors())
+
+    def factors(self) -> str:
+        """Return the factors alone in words, such as "1 to 1.35 (4 of 6)"."""
+        template = "{least:.6g} to {greatest:.6g} ({combinations} of {total})"
+        if self.least == self.greatest:
+            template = "{least:.6g} ({combinations} of {total})"
         return Message(
-            "{limit_state} {factors} ({combinations} of {total})",
-            limit_state=self.limit_state,
-            factors=factors,
-            combinations=self.combinations,
-            total=self.total,
+            template, least=self.least, greatest=self.greatest, combinations=self.combinations, total=self.total
         )
 
 
@@ -59,7 +59,7 @@ class CaseUse:
 
     def about(self) -> str:
         """Return action and number of loads in words."""
-        return f"{self.case.action}, {self.loads} load{'' if self.loads == 1 else 's'}"
+        return counted(self.loads, "{action}, {count} load", "{action}, {count} loads", action=self.case.action)
 
     def words(self) -> str:
         """Return in words where the case acts."""

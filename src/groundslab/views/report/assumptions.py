@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from groundslab.messages import words_in
+from groundslab.messages import Message, joined, words_in
 from groundslab.model.ground import ContinuousGround, Continuum, Winkler
 from groundslab.schema.wording import listed
 
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 _PLATE = (
     "The plate is isotropic in each zone, with small displacements and shear deformation (Mindlin). Its midsurface "
-    "stays one plane. "
+    "stays one plane."
 )
 _ELASTIC = "It is linearly elastic: it does not crack, creep or yield."
 _CRACKED = (
@@ -66,12 +66,16 @@ _CELLS = (
 def list_assumptions(combined: Results) -> list[str]:
     """Return the assumptions of a solved case, a sentence or two each."""
     model = combined.model
-    sentences = [_PLATE + _of_plate(model), _LOADS, _of_contact(model), _of_ground(model), *_of_supports(model)]
+    plate = joined((_PLATE, _of_plate(model)), " ")
+    sentences = [plate, _LOADS, _of_contact(model), _of_ground(model), *_of_supports(model)]
     if len(combined.combinations) > 1:
+        nonlinear = ", as contact makes the response nonlinear" if model.contact.tensionless else ""
         sentences.append(
-            "Each combination is solved by itself with all its loads growing together"
-            + (", as contact makes the response nonlinear" if model.contact.tensionless else "")
-            + ". Results of different combinations must not be added up."
+            Message(
+                "Each combination is solved by itself with all its loads growing together{nonlinear}. Results of "
+                "different combinations must not be added up.",
+                nonlinear=nonlinear,
+            )
         )
     sentences += [_SMOOTHED, *_of_pressure(combined)]
     if len(combined.combinations) > 1:
@@ -85,8 +89,10 @@ def _of_plate(model: Model) -> str:
     """Return whether the plate cracks."""
     if model.cracking is None:
         return _ELASTIC
-    creep = f", creep coefficient {model.cracking.creep:g}" if model.cracking.creep else ", without creep"
-    return _CRACKED.format(states=listed(model.cracking.limit_states, "and"), creep=creep)
+    creep: str = ", without creep"
+    if model.cracking.creep:
+        creep = Message(", creep coefficient {creep:g}", creep=model.cracking.creep)
+    return Message(_CRACKED, states=listed(model.cracking.limit_states, "and"), creep=creep)
 
 
 def _of_contact(model: Model) -> str:
@@ -94,7 +100,7 @@ def _of_contact(model: Model) -> str:
     lifts = "The ground carries no tension: the plate lifts off." if model.contact.tensionless else (
         "The case bonds them: the ground can carry tension."
     )  # fmt: skip
-    return f"Plate and ground exchange vertical pressure without friction. {lifts}"
+    return joined(("Plate and ground exchange vertical pressure without friction.", lifts), " ")
 
 
 def _of_ground(model: Model) -> str:
@@ -104,30 +110,36 @@ def _of_ground(model: Model) -> str:
     below = ""
     if isinstance(ground, Continuum):
         below = "on a rigid base" if ground.half_space is None else "on a half-space"
-    parts = [_GROUND[kind].format(below=below)]
-    if model.contact.limit_pressure is not None:
-        parts.append(f", up to its limit pressure of {model.contact.limit_pressure / 1e3:.6g} kPa, at which it yields")
-    parts.append(".")
+    said: str = Message(_GROUND[kind], below=below) if below else _GROUND[kind]
+    limit = model.contact.limit_pressure
+    up_to: str = ""
+    if limit is not None:
+        up_to = Message(", up to its limit pressure of {limit:.6g kPa}, at which it yields", limit=limit / 1e3)
+    parts: list[str] = [Message("{ground}{up_to}.", ground=said, up_to=up_to)]
     if not isinstance(ground, Winkler | ContinuousGround):
         ends = {
             "none": "The ground ends with the plate.",
             "margin": "The ground ends at the outer edge of a strip around the plate.",
             "infinite": "The ground extends infinitely beyond the plate.",
         }
-        parts.append(f" {ends[model.beyond.kind]}")
+        parts.append(ends[model.beyond.kind])
     if model.long_term is not None:
         states = listed(model.long_term.limit_states, "and")
-        parts.append(f" In {states} combinations it has {model.long_term.stiffness:g} of its stiffness.")
-    return "".join(parts)
+        template = "In {states} combinations it has {share:g} of its stiffness."
+        parts.append(Message(template, states=states, share=model.long_term.stiffness))
+    return joined(parts, " ")
 
 
 def _of_supports(model: Model) -> Iterator[str]:
     """Yield what supports, piles, beams, the building above and joints do beside being elastic."""
-    limited = [support.name or f"support {number}" for number, support in enumerate(model.supports, 1)
+    limited = [support.name or Message("support {number}", number=number)
+               for number, support in enumerate(model.supports, 1)
                if support.limit is not None or getattr(support, "limit_tension", None)]  # fmt: skip
     if limited:
-        names = ", ".join(limited[:5]) + (f" and {len(limited) - 5} more" if len(limited) > 5 else "")
-        yield f"Supports and piles with a limit yield there and keep that force: {names}."
+        names: str = joined(limited[:5])
+        if len(limited) > 5:
+            names = Message("{names} and {count} more", names=names, count=len(limited) - 5)
+        yield Message("Supports and piles with a limit yield there and keep that force: {names}.", names=names)
     if model.members:
         yield _BEAMS
     if model.spans:
@@ -135,9 +147,8 @@ def _of_supports(model: Model) -> Iterator[str]:
     if model.building is not None:
         yield _BUILDING
     if model.joints:
-        yield "Joints transfer shear by the difference in settlement across them, and no moments." + (
-            " Beams and walls that cross them go on." if model.members else ""
-        )
+        sentences = ["Joints transfer shear by the difference in settlement across them, and no moments."]
+        yield joined([*sentences, *(["Beams and walls that cross them go on."] if model.members else [])], " ")
 
 
 def _of_pressure(combined: Results) -> Iterator[str]:
@@ -146,4 +157,4 @@ def _of_pressure(combined: Results) -> Iterator[str]:
         yield _CELLS
     elif any(any(result.constants.k1) for result in combined.results.values()):
         steel = combined.model.reinforcement
-        yield _LINE_FORCE.format(unless=", but the case lets it" if steel and steel.line_force_relieves else "")
+        yield Message(_LINE_FORCE, unless=", but the case lets it" if steel and steel.line_force_relieves else "")

@@ -10,10 +10,9 @@ from typing import TYPE_CHECKING, Literal
 from groundslab.design.basis.calculation import CONSTANTS, FUNCTIONS, SYMBOL
 from groundslab.design.tables.calculations import perimeters
 from groundslab.design.tables.table import Table
-from groundslab.messages import Message, words_in
+from groundslab.messages import Message, Name, joined, words_in
 from groundslab.unit_systems import unit_in
 from groundslab.units import format_number
-from groundslab.views.plots.style import place_words
 from groundslab.views.report.drawings.perimeter_sketch import draw_sketch
 from groundslab.views.report.table_layout import split_symbol
 
@@ -66,9 +65,8 @@ def draw_sheets(combined: Results, table: Table) -> list[Sheet]:
     sheets = []
     for number, (key, sheet) in enumerate(build_sheets(table, combined.model.units).items(), 1):
         if key in sketches:
-            drawn = draw_sketch(
-                combined.solved_model, sketches[key], number, Message("Perimeter: {title}", title=sheet.title)
-            )
+            label = Message("Perimeter: {title}", title=sheet.title)
+            drawn = draw_sketch(combined.solved_model, sketches[key], number, label)
             sheets.append(replace(sheet, sketch=drawn))
         else:
             sheets.append(sheet)
@@ -91,10 +89,13 @@ def build_sheets(table: Table, units: System) -> dict[tuple[str, str, str], Shee
                 lines.append(Line(words_in(str(quantity), units), *words, *other))
             if isinstance(x, float) and isinstance(y, float):
                 places.add((x, y))
-        where = [f"at {place_words(place, unit_in('m', units)[0])}" for place in places]
-        title = ", ".join([*(str(part) for part in about if part), *where])
+        # places are in the units of the table already
+        unit = Name(unit_in("m", units)[0])
+        where = [Message("at {place:place} {unit}", place=place, unit=unit) for place in places]
         check, of, combination = map(str, about)
-        sheets[check, of, combination] = Sheet(f"{title[0].upper()}{title[1:]}", tuple(lines))
+        check_name = Message("{check:capital}", check=check)
+        named = [check_name, of if about[1] else "", Name(combination) if about[2] else ""]
+        sheets[check, of, combination] = Sheet(joined(filter(None, (*named, *where))), tuple(lines))
     return sheets
 
 

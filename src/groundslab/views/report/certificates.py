@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from groundslab.messages import Message
 from groundslab.results.record import Certificate
 from groundslab.views.report import table_layout
 from groundslab.views.report.table_layout import Cell, TableHeader, TableLayout, drop_empty_columns, headers
@@ -20,9 +21,13 @@ if TYPE_CHECKING:
     from groundslab.views.summary.combinations import Entry
 
 CERTIFICATE_NOTES = (
-    "All but the sums are ratios, recomputed from the solution without the factorized matrices. Each must "
-    f"be at most {Certificate.TOLERANCE:.0e}, the effect of a wider margin of infinite ground at most "
-    f"{Certificate.MARGIN_TOLERANCE:g} of the largest settlement.",
+    Message(
+        "All but the sums are ratios, recomputed from the solution without the factorized matrices. Each must be at "
+        "most {tolerance:.0e}, the effect of a wider margin of infinite ground at most {margin:g} of the largest "
+        "settlement.",
+        tolerance=Certificate.TOLERANCE,
+        margin=Certificate.MARGIN_TOLERANCE,
+    ),
     "All but the discretization error show that the discrete equations are solved. Only that error shows how far the "
     "mesh is from convergence; where it is larger than requested, the results are certified, but the mesh is too "
     "coarse.",

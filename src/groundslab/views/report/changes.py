@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from groundslab.case import casefile
 from groundslab.errors import InputError
+from groundslab.messages import Message, Name
 from groundslab.storage import bounded
 
 if TYPE_CHECKING:
@@ -32,7 +33,7 @@ def changes_since(folder: str | Path, model: Model) -> str:
     whole = Path(folder)
     beside = whole.with_name(f"{whole.name.removesuffix('-results')}.toml")
     changed = beside.is_file() and _text_of(beside, model) is None
-    return CHANGED.format(file=beside.name) if changed else ""
+    return Message(CHANGED, file=Name(beside.name)) if changed else ""
 
 
 def _text_of(path: Path, model: Model) -> str | None:

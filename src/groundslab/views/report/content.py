@@ -12,6 +12,7 @@ from groundslab.case import casefile
 from groundslab.design.checks import check_design
 from groundslab.design.result_tables import table_makers, tables_of
 from groundslab.errors import InputError, Issue
+from groundslab.messages import Listed, Message, Name, joined
 from groundslab.model.ground import ContinuousGround
 from groundslab.model.loads.load_cases import SERVICEABILITY, STRENGTH
 from groundslab.results.results import refusal_words
@@ -171,9 +172,10 @@ def _title_block(project: Project | None) -> list[tuple[str, str]]:
 def _facts(combined: Results) -> Iterator[tuple[str, str]]:
     """Yield what stands in the title block beside title, program and file."""
     counts = {"without equilibrium": len(combined.without_equilibrium), "not solved": len(combined.unsolved)}
-    parts = [f"{count} {what}" for what, count in counts.items() if count]
-    total = str(len(combined.combinations))
-    yield "Combinations", f"{total}, of which {' and '.join(parts)}" if parts else total
+    parts = [Message("{count} {what}", count=count, what=what) for what, count in counts.items() if count]
+    total = len(combined.combinations)
+    which = Message("{total}, of which {parts}", total=total, parts=joined(parts, " and "))
+    yield "Combinations", which if parts else str(total)
 
 
 def _verdict(combined: Results, entries: Sequence[Entry]) -> tuple[str, str]:
@@ -183,10 +185,10 @@ def _verdict(combined: Results, entries: Sequence[Entry]) -> tuple[str, str]:
         coarse = coarse_words(combined)
         if is_unknown(combined):
             return "bad", coarse
-        return ("doubtful", f"{certified} {coarse}") if coarse else ("good", certified)
+        return ("doubtful", joined((certified, coarse), " ")) if coarse else ("good", certified)
     others = ["The results of the others are certified."] if combined.results else []
     words = [*combinations.refusal_sentences(combined), *others, provisional_words(combined)]
-    return ("bad", " ".join(filter(None, words)))
+    return ("bad", joined(filter(None, words), " "))
 
 
 def list_sections(combined: Results) -> list[SummarySection]:
@@ -243,7 +245,12 @@ def _extremes(combined: Results, entries: Sequence[Entry]) -> Iterator[TableLayo
 def _shared_label(rows: Sequence[Row]) -> Row:
     """Return a row for those of one key: by its label, without the quantity after the comma where they differ in it."""
     same = len({row.label for row in rows}) == 1
-    return rows[0] if same else replace(rows[0], label=rows[0].label.partition(", ")[0])
+    return rows[0] if same else replace(rows[0], label=_parts(rows[0].label)[0])
+
+
+def _parts(label: str) -> tuple[str, str]:
+    """Return a label without the quantity after the comma, and that."""
+    return (label.parts[0], joined(label.parts[1:])) if isinstance(label, Listed) else (label, "")
 
 
 def _words_of(row: Row, units: System) -> tuple[Cell, ...]:
@@ -256,7 +263,7 @@ def _extreme(extreme: Extreme | None, names: Mapping[int, str], label: str, unit
     if extreme is None:
         return (Cell(""),) * 3
     shown = shown_row(extreme.row, units)
-    under = shown.error or extreme.row.label.removeprefix(label).removeprefix(", ")
+    under = shown.error or ("" if extreme.row.label == label else _parts(extreme.row.label)[1])
     return (
         Cell(shown.figure, "number", under),
         Cell(shown.place, "number"),
@@ -269,18 +276,21 @@ def layout_in_text(table: Table, in_appendix: bool) -> dict[str, Any]:
     if not table_layout.is_long(table):
         return layout_whole(table) | {"whole": ""}
     rows, digest = len(table), table_layout.summarize_table(table)
-    where = f"tables/{table.name}.csv of the results and the workbook that groundslab tables writes"
+    template = "All {rows} rows: tables/{table}.csv of the results and the workbook that groundslab tables writes."
+    whole = Message(template, rows=rows, table=Name(table.name))
     if in_appendix and rows <= table_layout.MOST_IN_FILE:
-        where = "the appendix"
+        whole = Message("All {rows} rows: the appendix.", rows=rows)
     grids = [] if digest is None else [replace(digest, notes=(*digest.notes, *table.notes))]
-    return {"name": table.name, "title": table.title, "grids": grids, "whole": f"All {rows} rows: {where}."}
+    return {"name": table.name, "title": table.title, "grids": grids, "whole": whole}
 
 
 def layout_whole(table: Table) -> dict[str, Any]:
     """Return a table cut so that it fits on paper; without rows if it has too many for one file."""
     fits = len(table) <= table_layout.MOST_IN_FILE
     grids = table_layout.split_columns(table_layout.layout_table(table), table_layout.keys_of(table))
-    about = {"name": table.name, "title": table.title, "length": len(table)}
+    template = "{rows} rows are too many for this file: see tables/{table}.csv."
+    too_many = Message(template, rows=len(table), table=Name(table.name))
+    about = {"name": table.name, "title": table.title, "length": len(table), "too_many": too_many}
     return about | {"grids": grids if fits and len(table) else [], "notes": table.notes}
 
 
@@ -297,7 +307,7 @@ def list_constants(entries: Sequence[Entry], units: System) -> TableLayout:
         names.setdefault(cells, []).append(entry.combination.name)
     if len(names) == 1:
         return TableLayout("", tuple(heads), tuple(names))
-    rows = tuple((Cell(", ".join(those)), *cells) for cells, those in names.items())
+    rows = tuple((Cell(joined(map(Name, those))), *cells) for cells, those in names.items())
     return TableLayout("", (TableHeader("combination"), *heads), rows)
 
 
@@ -313,18 +323,23 @@ def _drawings(combined: Results, leading: CombinationResult | None) -> Iterator[
         yield stress
     notes = ["Ground below the plate, to scale in depth."]
     if leading.constants.gamma is not None:
+        template = (
+            "γ, k0, k1 and ψ(z) are those of the combination {name}; other combinations have their own, see the table."
+        )
+        several = len(combined.combinations) > 1
         notes.append(
-            "γ, k0, k1 and ψ(z) are those of the combination "
-            f"{leading.combination}; other combinations have their own, see the table."
-            if len(combined.combinations) > 1
+            Message(template, name=Name(leading.combination))
+            if several
             else "γ, k0, k1 and ψ(z) at the end of the analysis."
         )
     if combined.model.boreholes or combined.model.soil_zones:
         notes.append("The table's constants are means over the plate's area.")
     count = len(list_columns(combined.model))
     if count > drawings.MOST_COLUMNS:
-        notes.append(f"The first {drawings.MOST_COLUMNS} of {count} columns are drawn.")
-    yield replace(soil, caption=" ".join(notes))
+        notes.append(
+            Message("The first {drawn} of {count} columns are drawn.", drawn=drawings.MOST_COLUMNS, count=count)
+        )
+    yield replace(soil, caption=joined(notes, " "))
 
 
 def list_steps(entries: Sequence[Entry]) -> TableLayout:
@@ -332,7 +347,7 @@ def list_steps(entries: Sequence[Entry]) -> TableLayout:
     numbers = ("#unknowns of the mesh", "#load increment", "#gamma", "#contact iteration", "#in contact")
     heads = headers("combination", *numbers, "#changed", "")
     rows = tuple(
-        (Cell(results.combination), *(Cell(text, "number") for text in step_texts(step)), Cell("*" * step.finest))
+        (Cell(Name(results.combination)), *(Cell(text, "number") for text in step_texts(step)), Cell("*" * step.finest))
         for results in (entry.results for entry in entries if entry.results is not None)
         for step in results.steps
     )

@@ -9,9 +9,8 @@ from collections.abc import Iterator, Sequence, Set
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
-from groundslab.messages import words_in
+from groundslab.messages import Clause, Message, Name, joined, words_in
 from groundslab.model.loads.annexes import document_of
-from groundslab.model.names import names_of
 from groundslab.model.remarks.case_use import case_uses
 from groundslab.model.remarks.remarks import find_remarks
 from groundslab.model.shapes import Circle, Polygon, Rectangle
@@ -19,8 +18,7 @@ from groundslab.schema.base import Section
 from groundslab.schema.distances import Distances
 from groundslab.schema.fields import Boolean, Factors, FieldType, Integer, ListOf, Number, Quantity
 from groundslab.schema.section_fields import Field
-from groundslab.unit_systems import System, together, unit_in
-from groundslab.units import format_coordinate
+from groundslab.unit_systems import System, together
 from groundslab.views.report.applicable_keys import keys_without_use
 from groundslab.views.report.table_layout import (
     GREEK,
@@ -103,7 +101,7 @@ def input_tables(model: Model, combinations: Sequence[Combination]) -> list[Inpu
         if name == "cases" and model.cases:
             grids.append(_acting(model, combinations))
         notes = [
-            f"Remark: {words_in(remark.words, model.units, names_of(model))}."
+            words_in(Message("Remark: {words}.", words=remark.words), model.units)
             for remark in remarks
             if remark.path[0] == name
         ]
@@ -120,7 +118,8 @@ def _national(model: Model) -> list[str]:
     """Return whose psi and partial factors combinations have, where an annex differs from what is recommended."""
     annex = None if model.combine is None else model.combine.annex
     document = "" if annex is None else document_of(annex)
-    return [f"psi and factors that the case does not give are those of {document}."] if document else []
+    template = "psi and factors that the case does not give are those of {document}."
+    return [Message(template, document=Clause(document))] if document else []
 
 
 def format_value(key: FieldType, value: Any, units: System) -> str:
@@ -129,56 +128,61 @@ def format_value(key: FieldType, value: Any, units: System) -> str:
         return value
     if isinstance(key, Quantity):
         (text,), unit = together([value], key.dimension, units)
-        return f"{text} {unit}"
+        return Message("{number} {unit}", number=text, unit=Name(unit))
     if isinstance(key, ListOf):
         return _several(key, value, units)
     if isinstance(key, Distances):
         texts, unit = together(value, "length", units)
-        return f"{', '.join(texts)} {unit}"
+        return Message("{numbers} {unit}", numbers=", ".join(texts), unit=Name(unit))
     if isinstance(key, Boolean):
         return "yes" if value else "no"
     if isinstance(key, Number):
         return f"{value:.6g}"
     if isinstance(key, Factors):
-        return ", ".join(f"{number:.6g} {name}" for name, number in value)
+        return joined(Message("{factor:.6g} {name}", factor=number, name=Name(name)) for name, number in value)
     assert isinstance(key, Integer)
     return str(value)
 
 
 def describe_shape(shape: Section, units: System) -> str:
     """Return a shape in words, its places in meters or feet."""
-    unit, per_meter = unit_in("m", units)
+    return words_in(_shape(shape), units)
+
+
+def _shape(shape: Section) -> str:
+    """Return a shape in words."""
     if isinstance(shape, Circle):
-        return f"circle about {_places([shape.centre], units)} {unit}, radius {shape.radius * per_meter:.6g} {unit}"
+        return Message("circle about {center:at m}, radius {radius:.6g m}", center=shape.centre, radius=shape.radius)
     if isinstance(shape, Rectangle):
-        return f"rectangle, x = {_span(shape.x, units)} {unit}, y = {_span(shape.y, units)} {unit}"
+        (x0, x1), (y0, y1) = shape.x, shape.y
+        template = "rectangle, x = {x0:at (m)} to {x1:at m}, y = {y0:at (m)} to {y1:at m}"
+        return Message(template, x0=x0, x1=x1, y0=y0, y1=y1)
     assert isinstance(shape, Polygon)
-    bulges = f"; bulges {', '.join(f'{bulge:.6g}' for bulge in shape.bulges)}" if any(shape.bulges) else ""
-    return f"polygon {_places(shape.points, units)} {unit}{bulges}"
+    if not any(shape.bulges):
+        return Message("polygon {corners}", corners=_places(shape.points))
+    bulges = ", ".join(f"{bulge:.6g}" for bulge in shape.bulges)
+    return Message("polygon {corners}; bulges {bulges}", corners=_places(shape.points), bulges=bulges)
 
 
-def _span(ends: tuple[float, float], units: System) -> str:
-    """Return two lengths [m] in meters or feet."""
-    _, per_meter = unit_in("m", units)
-    return " to ".join(format_coordinate(end * per_meter) for end in ends)
-
-
-def _places(places: Sequence[Sequence[float]], units: System) -> str:
-    """Return places [m] in meters or feet."""
-    _, per_meter = unit_in("m", units)
-    return " ".join(f"({', '.join(format_coordinate(x * per_meter) for x in place)})" for place in places)
+def _places(places: Sequence[Sequence[float]]) -> str:
+    """Return places [m], which share their unit."""
+    last = len(places) - 1
+    return joined(
+        (Message("{at:at (m)}" if number < last else "{at:at m}", at=place) for number, place in enumerate(places)), " "
+    )
 
 
 def _several(key: ListOf, values: Sequence[Any], units: System) -> str:
     """Return a list of values; those with one unit share it."""
     item = key.each
     if isinstance(item, ListOf):
-        return f"{_places(values, units)} {unit_in('m', units)[0]}"
+        return words_in(_places(values), units)
     if isinstance(item, Quantity):
         texts, unit = together(values, item.dimension, units)
-        is_range = key.rising and len(texts) == 2
-        return f"{' to '.join(texts)} {unit}" if is_range else f"({', '.join(texts)}) {unit}"
-    return ", ".join(format_value(item, value, units) for value in values)
+        if key.rising and len(texts) == 2:
+            return Message("{low} to {high} {unit}", low=texts[0], high=texts[1], unit=Name(unit))
+        return Message("{numbers} {unit}", numbers=f"({', '.join(texts)})", unit=Name(unit))
+    return joined(format_value(item, value, units) for value in values)
 
 
 def _part(part: Section, title: str, units: System, hidden: Set[str] = frozenset()) -> Iterator[TableLayout]:
@@ -208,7 +212,8 @@ def _part(part: Section, title: str, units: System, hidden: Set[str] = frozenset
 def _row(name: str, key: FieldType, value: Any, field: Field, units: System) -> tuple[Cell, ...]:
     """Return the row of a key; what a case has that does not say it is called default."""
     default = not field.required and value == field.default
-    meaning = f"{key.meaning} (default)" if default and "by default" not in key.meaning else key.meaning
+    said = default and "by default" not in key.meaning
+    meaning = Message("{meaning} (default)", meaning=key.meaning) if said else key.meaning
     words = name if name == key.symbol else name.replace("_", " ")
     symbol = Cell("" if name == key.symbol and name not in GREEK else key.symbol, "symbol")
     return (Cell(words, "words"), symbol, Cell(format_value(key, value, units)), Cell(meaning, "muted"))
@@ -221,18 +226,19 @@ def _list(
     kinds: dict[type[Section], list[tuple[int, Section]]] = {}
     for number, part in enumerate(parts, 1):
         kinds.setdefault(type(part), []).append((number, part))
-    for kind, numbered in kinds.items():
+    for kind, members in kinds.items():
         tag = kind.model_fields.get("kind")
-        meaning = f"{tag.default}, {tag.meaning}" if tag is not None and tag.type is None else ""
-        yield _columns(kind, numbered, ": ".join(filter(None, (title, meaning))), units, hidden)
+        meaning = joined((tag.default, tag.meaning)) if tag is not None and tag.type is None else ""
+        yield _columns(kind, members, joined(filter(None, (title, meaning)), ": "), units, hidden)
     for number, part in enumerate(parts, 1):
-        called = ", ".join(filter(None, (f"{ONE.get(name, _words(name))} {number}", getattr(part, "name", ""))))
+        numbered = Message("{what} {number}", what=ONE.get(name, _words(name)), number=number)
+        called = joined(filter(None, (numbered, getattr(part, "name", ""))))
         for inner, field in type(part).model_fields.items():
             value = getattr(part, inner)
             if field.sections.many and value:
-                yield from _list(value, inner, f"{called}: {inner}", units)
+                yield from _list(value, inner, joined((called, inner), ": "), units)
             elif isinstance(value, Section) and not isinstance(value, Rectangle | Polygon | Circle):
-                yield from _part(value, f"{called}: {inner}", units)
+                yield from _part(value, joined((called, inner), ": "), units)
 
 
 def _columns(
@@ -295,9 +301,7 @@ def _acting(model: Model, combinations: Sequence[Combination]) -> TableLayout:
     rows = []
     for use in case_uses(model, combinations):
         about = (Cell(use.case.name), Cell(str(use.loads), "number"))
-        for acting in use.acting:
-            words = acting.words().removeprefix(acting.limit_state).strip()
-            rows.append((*about, Cell(acting.limit_state), Cell(words)))
+        rows += [(*about, Cell(acting.limit_state), Cell(acting.factors())) for acting in use.acting]
         if not use.acting:
             rows.append((*about, Cell("-"), Cell("-")))
     notes = ("Factors, and the number of combinations in which the case acts.",)

@@ -10,6 +10,7 @@ from typing import Literal
 
 from groundslab.design.tables.table import Cell as RawCell
 from groundslab.design.tables.table import Table
+from groundslab.messages import Message
 from groundslab.units import format_number
 from groundslab.views.summary.terminal import error_text
 
@@ -78,6 +79,11 @@ class TableLayout:
     rows: tuple[tuple[Cell, ...], ...]
     notes: tuple[str, ...] = ()
     folded: bool = False  # whether it is too long to stand open on the screen
+
+    @property
+    def length(self) -> str:
+        """Return how many rows it has, in words."""
+        return Message("{count} rows", count=len(self.rows))
 
 
 def drop_empty_columns(grid: TableLayout) -> TableLayout:

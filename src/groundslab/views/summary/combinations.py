@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from groundslab.errors import NotCertified
-from groundslab.messages import words_in
+from groundslab.messages import Message, Name, joined, words_in
 from groundslab.results.contact_zone import require_finite as require_one_finite
 from groundslab.views.summary import sections
 from groundslab.views.summary.rows import Row, SummarySection
@@ -61,7 +61,13 @@ def require_finite(combined: Results) -> None:
 
 def factors_text(combination: Combination) -> str:
     """Return the factors and cases of a combination in words, such as "1.35 dead + 1.5 live"."""
-    return " + ".join(f"{factor:.6g} {name}".rstrip() for name, factor in combination.factors)
+    return joined(
+        (
+            Message("{factor:.6g} {name}" if name else "{factor:.6g}", factor=factor, name=Name(name))
+            for name, factor in combination.factors
+        ),
+        " + ",
+    )
 
 
 def case_lines(combined: Results) -> list[str]:
@@ -73,9 +79,12 @@ def case_lines(combined: Results) -> list[str]:
     uses = case_uses(combined.model, combined.combinations)
     remarks = find_remarks(combined.model, combined.combinations)
     return [
-        *(f"{use.case.name} ({use.about()}): {words_in(use.words(), units)}" for use in uses),
         *(
-            f"remark: {words_in(remark.words, units)}"
+            Message("{name} ({about}): {words}", name=Name(use.case.name), about=use.about(), words=use.words())
+            for use in uses
+        ),
+        *(
+            words_in(Message("remark: {words}", words=remark.words), units)
             for remark in remarks
             if not remark.doubtful and remark.path[0] != "loads"
         ),
@@ -85,19 +94,22 @@ def case_lines(combined: Results) -> list[str]:
 def refusal_sentences(combined: Results) -> Iterator[str]:
     """Yield in which combinations the foundation fails, and which the program could not solve."""
     if combined.without_equilibrium:
-        yield f"FOUNDATION FAILS: no equilibrium{_some_of(combined, combined.without_equilibrium)}."
+        which = _some_of(combined, combined.without_equilibrium)
+        yield Message("FOUNDATION FAILS: no equilibrium{which}.", which=which)
     if combined.unsolved and len(combined.combinations) == 1:
         yield "FAILED: the certificate does not hold; do not use the result."
     elif combined.unsolved:
-        yield f"FAILED: no certified result{_some_of(combined, combined.unsolved)}."
+        yield Message("FAILED: no certified result{which}.", which=_some_of(combined, combined.unsolved))
 
 
 def _some_of(combined: Results, names: Collection[str]) -> str:
     """Return which of several combinations are meant, by their numbers; nothing of an only one."""
     count = len(combined.combinations)
+    if count == 1:
+        return ""
     numbers = [str(number) for number, combination in enumerate(combined.combinations, 1) if combination.name in names]
-    which = f" in {len(numbers)} of {count} combinations, number {', '.join(numbers)}"
-    return which if count > 1 else ""
+    template = " in {some} of {count} combinations, number {numbers}"
+    return Message(template, some=len(numbers), count=count, numbers=joined(numbers))
 
 
 def description(combined: Results) -> list[SummarySection]:

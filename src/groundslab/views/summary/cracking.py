@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from groundslab.design.tables.quantities import nodal_values
 from groundslab.fem.shape_functions import areas
+from groundslab.messages import Message
 from groundslab.results.fields import ELEMENT_FIELDS, STIFFNESS, extreme
 from groundslab.units import UNITS
 from groundslab.views.summary.rows import Row, SummarySection
@@ -30,8 +31,10 @@ def cracking_sections(results: CombinationResult) -> list[SummarySection]:
         Row("share", "cracked share of the plate's area", share, UNITS["%"]),
         Row("smallest", "smallest share of uncracked stiffness", least, about.display, about.symbol, place),
     )
-    note = (
+    note = Message(
         "Settlements, moments and pressures of this combination are those of the cracked slab, by EN 1992-1-1 7.4.3 "
-        f"with the bars provided, phi = {cracking.creep:g}, loads of {cracking.duration} duration."
+        "with the bars provided, phi = {creep:g}, loads of {duration} duration.",
+        creep=cracking.creep,
+        duration=cracking.duration,
     )
     return [SummarySection("cracking", "Cracked stiffness", rows, (note,))]

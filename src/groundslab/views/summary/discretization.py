@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from groundslab.accuracy.judgment import JudgedValue, judge
 from groundslab.accuracy.values import error_of_contact_share, error_of_largest, estimate_error
-from groundslab.messages import words_in
+from groundslab.messages import Message, capitalized, counted, joined, words_in
 from groundslab.units import UNITS
 from groundslab.views.summary.rows import Row, SummarySection
 
@@ -39,14 +39,25 @@ def discretization_section(results: CombinationResult) -> SummarySection:
     judged = judge(results)
     if judged:
         rows.append(
-            Row("largest_error", f"largest error, {judged[0].label}", judged[0].share, UNITS["%"], "", judged[0].place)
+            Row(
+                "largest_error",
+                joined(("largest error", judged[0].label)),
+                judged[0].share,
+                UNITS["%"],
+                "",
+                judged[0].place,
+            )
         )
     notes = _not_judged(results)
     if judged and judged[0].share > results.model.mesh.largest_error:
         notes = (
             *notes,
-            f"The mesh is too coarse for errors of {100 * results.model.mesh.largest_error:g} % (mesh.accuracy): "
-            f"{_remedy(results)} Errors are estimated from the same analysis on elements twice as large.",
+            Message(
+                "The mesh is too coarse for errors of {asked:g} % (mesh.accuracy): {remedy} Errors are estimated from "
+                "the same analysis on elements twice as large.",
+                asked=100 * results.model.mesh.largest_error,
+                remedy=_remedy(results),
+            ),
         )
     return SummarySection("discretization", "Discretization error", tuple(rows), notes)
 
@@ -64,7 +75,7 @@ def unknown_words(results: CombinationResult) -> str:
             "there is no solution on elements twice as large; the slab may bend within one of these, or within one of "
             "the cells through which it presses on the ground"
         )
-    return f"The discretization error is not known: {reason}. Reduce mesh.size and compare."
+    return Message("The discretization error is not known: {reason}. Reduce mesh.size and compare.", reason=reason)
 
 
 def _not_judged(results: CombinationResult) -> tuple[str, ...]:
@@ -77,7 +88,7 @@ def _not_judged(results: CombinationResult) -> tuple[str, ...]:
         "pressures where they jump or have no limit": limits.pressures | ~limits.shear_forces,
     }
     left_out = [text for text, judged in words.items() if not judged.all()]
-    return (f"Not judged within a thickness: {'; '.join(left_out)}.",) if left_out else ()
+    return (Message("Not judged within a thickness: {values}.", values=joined(left_out, "; ")),) if left_out else ()
 
 
 def _remedy(results: CombinationResult) -> str:
@@ -88,23 +99,20 @@ def _remedy(results: CombinationResult) -> str:
     if history is None:
         return "it was made for another case, and mesh.accuracy there makes it finer."
     if history.end == "provisional":
-        return f"it is mesh {len(history.unknowns)} and still to be refined."
+        return Message("it is mesh {number} and still to be refined.", number=len(history.unknowns))
     if history.end == "max_unknowns":
         most = results.model.mesh.max_unknowns
-        return (
-            f"it was not refined further because of mesh.max_unknowns = {most}; the next mesh takes "
-            f"mesh.max_unknowns = {round_up(history.needed or most)}."
+        return Message(
+            "it was not refined further because of mesh.max_unknowns = {most}; the next mesh takes "
+            "mesh.max_unknowns = {needed}.",
+            most=most,
+            needed=round_up(history.needed or most),
         )
     if history.end == "no progress":
         return "it was refined until this error fell no more."
     if history.end == "accurate":
         return "it was fine enough for all that is judged; [[mesh.refine]] makes elements smaller."
-    return f"{len(history.unknowns)} meshes were made, and no more are."
-
-
-def _sentence(words: str) -> str:
-    """Return words with a capital letter first."""
-    return words[:1].upper() + words[1:]
+    return Message("{count} meshes were made, and no more are.", count=len(history.unknowns))
 
 
 def round_up(count: int) -> int:
@@ -125,9 +133,16 @@ def provisional_words(combined: Results) -> str:
         return ""
     first, worst = next(iter(combined.values())), _worst(combined)
     assert first.mesh_history is not None
-    number, asked = len(first.mesh_history.unknowns), f"{100 * combined.model.mesh.largest_error:g} % asked for"
-    error = f": largest error {100 * worst.share:.2g} % ({worst.label}), {asked}" if worst else "; its errors come then"
-    return f"Provisional: mesh {number} ({first.unknowns:,} unknowns) is still to be refined{error}."
+    error: str = "; its errors come then"
+    if worst:
+        error = Message(
+            ": largest error {share:.2g} % ({label}), {asked:g} % asked for",
+            share=100 * worst.share, label=worst.label, asked=100 * combined.model.mesh.largest_error,
+        )  # fmt: skip
+    return Message(
+        "Provisional: mesh {number} ({unknowns:,} unknowns) is still to be refined{error}.",
+        number=len(first.mesh_history.unknowns), unknowns=first.unknowns, error=error,
+    )  # fmt: skip
 
 
 def is_unknown(combined: Results) -> bool:
@@ -152,25 +167,28 @@ def _coarse_words(combined: Results) -> str:
         return provisional_words(combined)
     worst = _worst(combined)
     if worst is not None and is_unknown(combined):
-        return (
+        return Message(
             "Do not use these results: they satisfy equilibrium and contact conditions on a mesh that is far too "
-            f"coarse to tell values. The largest discretization error is {100 * worst.share:.2g} % ({worst.label}). "
-            f"{_sentence(_remedy(next(iter(combined.values()))))}"
-        )
+            "coarse to tell values. The largest discretization error is {share:.2g} % ({label}). {remedy}",
+            share=100 * worst.share, label=worst.label, remedy=capitalized(_remedy(next(iter(combined.values())))),
+        )  # fmt: skip
     for results in combined.values():
         small = find_unresolved(results)
         if small is not None:
-            forces = f"{small.count} forces" if small.count > 1 else "a force"
-            return (
-                f"The mesh is too coarse for the footprint of {forces}: {small.footprint:.3g} m in elements of "
-                f"{small.element:.3g} m. Moments and shear forces there are too small. {_sentence(_remedy(results))}"
-            )
+            return Message(
+                "The mesh is too coarse for the footprint of {forces}: {footprint:.3g m} in elements of "
+                "{element:.3g m}. Moments and shear forces there are too small. {remedy}",
+                forces=counted(small.count, "a force", "{count} forces"),
+                footprint=small.footprint, element=small.element, remedy=capitalized(_remedy(results)),
+            )  # fmt: skip
     if worst is None or worst.share <= combined.model.mesh.largest_error:
         return _hanging_words(combined) or next(filter(None, map(unknown_words, combined.values())), "")
-    return (
-        f"The mesh is too coarse: the largest discretization error is {100 * worst.share:.2g} % ({worst.label}), more "
-        f"than {100 * combined.model.mesh.largest_error:g} %. {_sentence(_remedy(next(iter(combined.values()))))}"
-    )
+    return Message(
+        "The mesh is too coarse: the largest discretization error is {share:.2g} % ({label}), more than {asked:g} %. "
+        "{remedy}",
+        share=100 * worst.share, label=worst.label, asked=100 * combined.model.mesh.largest_error,
+        remedy=capitalized(_remedy(next(iter(combined.values())))),
+    )  # fmt: skip
 
 
 def _hanging_words(combined: Results) -> str:
@@ -180,10 +198,11 @@ def _hanging_words(combined: Results) -> str:
     for check in check_design(combined).hanging:
         error = check.utilisation_error or 0.0
         if error > combined.model.mesh.largest_error:
-            return (
-                f"The mesh is too coarse for a check: {check.name} is {check.utilisation:.2f} +- {error:.2g} times its "
-                f"limit. {_sentence(_remedy(next(iter(combined.values()))))}"
-            )
+            return Message(
+                "The mesh is too coarse for a check: {name} is {used:.2f} +- {error:.2g} times its limit. {remedy}",
+                name=check.name, used=check.utilisation or 0.0, error=error,
+                remedy=capitalized(_remedy(next(iter(combined.values())))),
+            )  # fmt: skip
     return ""
 
 

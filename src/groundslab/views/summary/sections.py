@@ -10,6 +10,7 @@ import numpy as np
 
 from groundslab.accuracy.mesh_statistics import POOR, mesh_statistics
 from groundslab.arrays import made_once
+from groundslab.messages import Message, Name, counted, joined
 from groundslab.model.remarks.singular_places import near_singular, notes_on_singular_places
 from groundslab.results.contact_zone import CELLS_NOTE, EDGE_NOTE, goes_below_zero, has_line_force, require_finite
 from groundslab.results.fields import PLATE_FIELDS, extreme, places_of
@@ -42,9 +43,10 @@ CROSSED = (
 )
 
 #: What is said of a mesh with poor elements.
-CROOKED = (
-    f"An element has a scaled Jacobian below {POOR:g} (1 is a rectangle): near it results are less accurate. Reduce "
-    f"mesh.size, or omit details of the outline there that do not matter."
+CROOKED = Message(
+    "An element has a scaled Jacobian below {poor:g} (1 is a rectangle): near it results are less accurate. Reduce "
+    "mesh.size, or omit details of the outline there that do not matter.",
+    poor=POOR,
 )
 
 #: What is said of the slowest solver where it was not asked for.
@@ -109,10 +111,12 @@ def _figures(results: CombinationResult) -> list[SummarySection]:
 
 def certified_words(count: int) -> str:
     """Return in words what a certificate of so many results says, and what it does not say."""
-    which = f"The results of all {count} combinations are" if count > 1 else "The result is"
-    return (
-        f"{which} certified: equilibrium and contact conditions are satisfied on this mesh. "
-        "This is not a design approval."
+    return counted(
+        count,
+        "The result is certified: equilibrium and contact conditions are satisfied on this mesh. "
+        "This is not a design approval.",
+        "The results of all {count} combinations are certified: equilibrium and contact conditions are satisfied on "
+        "this mesh. This is not a design approval.",
     )
 
 
@@ -146,9 +150,15 @@ def _plates(results: CombinationResult) -> SummarySection:
     one_by_one = tuple(
         Row(
             f"plate_{number}",
-            plate.name or f"plate {number}",
-            f"{plate.sides[0]:.6g} x {plate.sides[1]:.6g} m, t {plate.thickness:.6g} m, E {plate.E / 1e6:.6g} MPa, "
-            f"nu {plate.nu:.6g}",
+            plate.name or Message("plate {number}", number=number),
+            Message(
+                "{x:.6g (m)} x {y:.6g m}, t {t:.6g m}, E {E:.6g MPa}, nu {nu:.6g}",
+                x=plate.sides[0],
+                y=plate.sides[1],
+                t=plate.thickness,
+                E=plate.E / 1e6,
+                nu=plate.nu,
+            ),
         )
         for number, plate in enumerate(plates, 1)
     )
@@ -161,8 +171,12 @@ def _plates(results: CombinationResult) -> SummarySection:
 def _supported_edges(plate: Plate) -> Row:
     """Return which edges of a plate are supported."""
     sides = ("left", "right", "bottom", "top")
-    words = [f"{side} {kind}" for side in sides if (kind := getattr(plate.edges, side)) != "free"]
-    return Row("supports", "supported edges", ", ".join(words) or "none")
+    words = [
+        Message("{side} {kind}", side=side, kind=kind)
+        for side in sides
+        if (kind := getattr(plate.edges, side)) != "free"
+    ]
+    return Row("supports", "supported edges", joined(words) or "none")
 
 
 def mesh_section(results: CombinationResult) -> SummarySection:
@@ -177,10 +191,10 @@ def mesh_section(results: CombinationResult) -> SummarySection:
         Row("worst_quality", "worst scaled Jacobian", round(mesh.worst_quality, 4), None, "", mesh.worst_place),
         Row("mean_quality", "mean scaled Jacobian", round(mesh.mean_quality, 4)),
         Row("unknowns", "unknowns", mesh.unknowns),
-        Row("symmetry", "symmetry used along", " and ".join(directions) or "none"),
+        Row("symmetry", "symmetry used along", joined(directions, " and ") or "none"),
         Row("solver", "solver", results.solver),
     )
-    notes = [CROOKED] if mesh.worst_quality < POOR else []
+    notes: list[str] = [CROOKED] if mesh.worst_quality < POOR else []
     if results.solver == "superlu" and results.model.analysis.solver == "auto":
         notes.append(SLOW)
     return SummarySection("mesh", "Mesh", rows, tuple(notes))
@@ -196,8 +210,12 @@ def description_of_ground(results: CombinationResult) -> SummarySection:
     k0, k1 = (UNITS["MPa/m"], "compression", constants.k0), (UNITS["MPa m"], "shear", constants.k1)
     for name, (unit, meaning, values) in {"k0": k0, "k1": k1}.items():
         for number, value in enumerate(values, 1):
-            key, where = (f"{name}_{number}", f", layer {number}") if several else (name, "")
-            rows.append(Row(key, meaning + where, value, unit, key))
+            key: str = name
+            label: str = meaning
+            if several:
+                key = f"{name}_{number}"
+                label = Message("{meaning}, layer {number}", meaning=meaning, number=number)
+            rows.append(Row(key, label, value, unit, key))
     if constants.gamma is not None:
         rows.append(Row("gamma", "decay of the mode", constants.gamma, None, "gamma"))
         rows.append(Row("gamma_iterations", "iterations for gamma", constants.gamma_iterations))
@@ -235,9 +253,11 @@ def _borders(results: CombinationResult) -> tuple[Row, ...]:
     """Return the areas of soil zones and voids whose borders the mesh does not follow."""
     from groundslab.results.soil_profile import crossed_borders
 
-    words = {"drawn": "{} as drawn", "meshed": "{} on the mesh", "crossed": "elements across the border of {}"}
+    words = {
+        "drawn": "{name} as drawn", "meshed": "{name} on the mesh", "crossed": "elements across the border of {name}",
+    }  # fmt: skip
     return tuple(
-        Row(f"{border.name}.{key}", label.format(border.name), getattr(border, key), UNITS["m2"])
+        Row(f"{border.name}.{key}", Message(label, name=Name(border.name)), getattr(border, key), UNITS["m2"])
         for border in crossed_borders(results)
         for key, label in words.items()
     )
@@ -252,9 +272,9 @@ def cut_loads(model: Model) -> list[SummarySection]:
         return []
     rows = []
     for cut in clipped[:MOST_CUT]:
-        name = f"loads[{cut.number}]" + (f" {cut.name}" if cut.name else "")
-        rows.append(Row(f"share_{cut.number}", f"{name}, {cut.where}", cut.share, UNITS["%"]))
-        rows.append(Row(f"force_{cut.number}", f"{name}, without effect", cut.force, UNITS["kN"]))
+        name = Name(f"loads[{cut.number}]" + (f" {cut.name}" if cut.name else ""))
+        rows.append(Row(f"share_{cut.number}", joined((name, cut.where)), cut.share, UNITS["%"]))
+        rows.append(Row(f"force_{cut.number}", Message("{name}, without effect", name=name), cut.force, UNITS["kN"]))
     if len(clipped) > MOST_CUT:
         rows.append(Row("more", "more loads cut off", len(clipped) - MOST_CUT))
     rows.append(Row("sum_of_forces", "total without effect", sum(cut.force for cut in clipped), UNITS["kN"]))
@@ -304,11 +324,11 @@ def _contact(results: CombinationResult) -> SummarySection:
 
 def _pressures(nodes: Array, values: Array, name: str, words: str = "pressure") -> list[Row]:
     """Return the largest of the pressures or line forces at nodes, and the largest tension if the ground pulls."""
-    rows = [_extreme(name, f"largest_{name}", f"largest {words}", nodes, values, 1)]
+    rows = [_extreme(name, f"largest_{name}", Message("largest {quantity}", quantity=words), nodes, values, 1)]
     if goes_below_zero(values):
         key, label = "largest_tension", "largest tension"
         if name != "pressure":
-            key, label = f"largest_pulling_{name}", f"largest tensile {words}"
+            key, label = f"largest_pulling_{name}", Message("largest tensile {quantity}", quantity=words)
         rows.append(_extreme(name, key, label, nodes, -values, 1, "-{}"))
     return rows
 
@@ -336,14 +356,35 @@ def _supports(results: CombinationResult) -> SummarySection:
     """Return the support forces: each of a few, else the largest and the smallest and their sum."""
     totals = [(support.total, support) for support in results.supports if len(support.nodes)]
     rows = [
-        Row(f"force_{number}", f"force of {support.name}", total, UNITS["kN"], "", _middle(support))
+        Row(
+            f"force_{number}",
+            Message("force of {name}", name=Name(support.name)),
+            total,
+            UNITS["kN"],
+            "",
+            _middle(support),
+        )
         for number, (total, support) in enumerate(totals, start=1)
     ]
     if len(totals) > MOST_SUPPORTS:
         (low, least), (high, most) = min(totals, key=itemgetter(0)), max(totals, key=itemgetter(0))
         rows = [
-            Row("largest_force", f"largest force, of {most.name}", high, UNITS["kN"], "", _middle(most)),
-            Row("smallest_force", f"smallest force, of {least.name}", low, UNITS["kN"], "", _middle(least)),
+            Row(
+                "largest_force",
+                joined(("largest force", Message("of {name}", name=Name(most.name)))),
+                high,
+                UNITS["kN"],
+                "",
+                _middle(most),
+            ),
+            Row(
+                "smallest_force",
+                joined(("smallest force", Message("of {name}", name=Name(least.name)))),
+                low,
+                UNITS["kN"],
+                "",
+                _middle(least),
+            ),
         ]
     rows.append(Row("sum_of_forces", "all supports together", sum(total for total, _ in totals), UNITS["kN"]))
     return SummarySection("supports", "Supports: forces, upwards positive", tuple(rows))

@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from groundslab._version import __version__
+from groundslab.messages import Message, Name, joined
 from groundslab.results.contact_zone import goes_below_zero
 from groundslab.results.results import refusal_words
 from groundslab.unit_systems import in_system, unit_in
@@ -80,7 +81,11 @@ def _print_cases(combined: Results, console: Console) -> None:
     for line in lines[:MOST_CASES]:
         _print_lines(textwrap.wrap(translate(line), 76, initial_indent="  ", subsequent_indent="    "), "", console)
     if len(lines) > MOST_CASES:
-        _print_lines([translate(f"  ... {len(lines) - MOST_CASES} more in the table acting")], "dim", console)
+        _print_lines(
+            [translate(Message("  ... {count} more in the table acting", count=len(lines) - MOST_CASES))],
+            "dim",
+            console,
+        )
 
 
 def _print_only(results: CombinationResult, console: Console) -> None:
@@ -107,7 +112,9 @@ def _print_several(combined: Results, entries: Sequence[Entry], console: Console
         for line in _entry(entry, units, translate):
             console.print(line, soft_wrap=True)
     for section, rows in combinations.extremes(combined):
-        titled = translated(replace(section, title=f"{section.title}: extremes", rows=()), translate)
+        titled = translated(
+            replace(section, title=Message("{title}: extremes", title=section.title), rows=()), translate
+        )
         _print_section(titled, [_extreme(row, units, translate) for row in rows], console)
     if not combined.results:
         return
@@ -131,8 +138,9 @@ def _entry(entry: Entry, units: System, translate: Translator) -> Iterator[Text]
     from rich.text import Text
 
     about, factors = entry.combination, combinations.factors_text(entry.combination)
-    rule = f", {about.rule}" if about.rule else ""
-    name, *more = textwrap.wrap(translate(f"{about.name} ({about.limit_state}{rule}): {factors}"), 74)
+    rule = joined((about.limit_state, Name(about.rule))) if about.rule else about.limit_state
+    titled = Message("{name} ({rule}): {factors}", name=Name(about.name), rule=rule, factors=factors)
+    name, *more = textwrap.wrap(translate(titled), 74)
     yield Text(f"{entry.number:>3} {name}", style="bold")
     yield from (Text(f"    {line}", style="bold") for line in more)
     if entry.results is not None:
@@ -179,7 +187,9 @@ def between_text(check: DesignCheck) -> str:
     if check.between is None or not check.error:
         return ""
     used, low, high = (f"{value:.2f}" for value in (check.utilisation or 0.0, *check.between))
-    return "±<0.01" if low == used == high else f"{low} to {high}"
+    if low == used == high:
+        return "±<0.01"
+    return Message("{low:.2f} to {high:.2f}", low=check.between[0], high=check.between[1])
 
 
 def _style(status: Status, *, hangs: bool) -> str:
@@ -258,7 +268,7 @@ def _line(row: Row, units: System, translate: Translator, taken: int = 0) -> Tex
     if row.tolerance is not None:
         line.append(f"{translate(shown.figure):>{VALUE}} {shown.unit}{' ' if shown.unit else ''}")
         line.append(translate(verdict_word(row)), style=VERDICTS[row.ok][1])
-        line.append(f" ({translate(f'limit {limit_text(row)}')})", style="dim")
+        line.append(f" ({translate(Message('limit {limit}', limit=limit_text(row)))})", style="dim")
     elif isinstance(row.value, str):
         pieces = textwrap.wrap(row.value, 78 - LABEL - 2)
         line.append(row.value.rjust(VALUE) if len(row.value) <= VALUE else f"\n{' ' * (LABEL + 2)}".join(pieces))

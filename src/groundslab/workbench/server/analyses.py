@@ -8,6 +8,7 @@ from threading import RLock
 from typing import Any
 
 from groundslab.errors import InputError, Issue
+from groundslab.messages import Message, Name
 from groundslab.model.settings import ACCURACIES
 from groundslab.views.report.changes import CHANGED
 from groundslab.workbench.checking.parsing import CheckResult
@@ -123,7 +124,7 @@ class Analyses:
         """
         wanted = replace(wanted, reference=self._references.find(reference))
         if wanted.file == "report.pdf" and self._is_outdated(run):
-            wanted = replace(wanted, remark=CHANGED.format(file=wanted.case))
+            wanted = replace(wanted, remark=Message(CHANGED, file=Name(wanted.case)))
         return wanted.name, Exported.from_bytes(self.solver.make_view(("export", run, wanted.to_text())))
 
     def write_saf(self, case: Path) -> tuple[str, Exported]:

@@ -23,6 +23,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from groundslab.errors import GroundslabError, InputError
+from groundslab.messages import Message, Name
 from groundslab.workbench.child_process import set_up_child
 from groundslab.workbench.exports.files import (
     Wanted,
@@ -357,7 +358,7 @@ def _write_outdated_report(solved: Solved, file: str, told: Told) -> bytes:
     """Return the report as a file, which says that the case has changed since."""
     from groundslab.views.report.changes import CHANGED
 
-    return _render_report(solved, file, told, CHANGED.format(file=file)).encode()
+    return _render_report(solved, file, told, Message(CHANGED, file=Name(file))).encode()
 
 
 def _write_archive(solved: Solved, file: str, told: Told) -> bytes:

@@ -14,6 +14,7 @@ import pytest
 import groundslab
 from groundslab.cli import main as cli
 from groundslab.errors import InputError
+from groundslab.messages import joined
 from groundslab.model.combinations import as_solved
 from groundslab.model.model import Model
 from groundslab.results.results import Results, results_of
@@ -225,7 +226,8 @@ def test_an_extreme_that_is_of_another_quantity_says_of_which(monkeypatch: pytes
     of = {"ultimate": "shear q_x", "characteristic": "moment m_x"}
 
     def extremes(_: Results, states: Sequence[str]) -> list[tuple[SummarySection, tuple[Extreme, ...]]]:
-        rows = (Row("largest_error", f"largest error, {of[states[0]]}", 0.1, UNITS["%"]), Row("w", "settlement", 0.1))
+        label = joined(("largest error", of[states[0]]))
+        rows = (Row("largest_error", label, 0.1, UNITS["%"]), Row("w", "settlement", 0.1))
         section = SummarySection("discretization", "Discretization error", rows)
         return [(section, tuple(Extreme(row, 1) for row in rows))]
 

@@ -26,7 +26,7 @@ from groundslab.design.basis.punching import (
     missing_notes,
     pulled_notes,
 )
-from groundslab.messages import Message
+from groundslab.messages import Message, joined
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.results import Results
 
@@ -65,7 +65,7 @@ def _columns(
         ),
         effective_note("J_c"),
         edge_note(steel, support),
-        f"{DEPTH[support]} {THINNER}",
+        joined((DEPTH[support], THINNER), " "),
         *pulled_notes(known.values()),
         *((AROUND,) if support == "zone" else ()),
         *((BEAMS,) if combined.model.beams else ()),

@@ -253,7 +253,7 @@ def _outer(demand: Demand, names: Names) -> str:
         last_links=LAST_LINKS * demand.d,
         u=beyond.u,
         distance=beyond.distance,
-        name=Name(names.one),
+        name=names.one,
     )
 
 

@@ -22,7 +22,7 @@ from groundslab.design.en1992.case_materials import materials
 from groundslab.design.en1992.checks.governing_perimeters import demands, pile_demands, zone_demands
 from groundslab.design.en1992.checks.punching_demand import Demand, Demands
 from groundslab.design.en1992.punching import max_resistance
-from groundslab.messages import Message
+from groundslab.messages import Message, joined
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.results import Results
 
@@ -77,7 +77,7 @@ def _columns(combined: Results, steel: Reinforcement, punched: Demands, support:
         effective_note("W"),
         edge_note(steel, support),
         AROUND if at_zone else at_face,
-        f"{DEPTH[support]} {THINNER}",
+        joined((DEPTH[support], THINNER), " "),
         *pulled_notes(punched.found.values()),
     )
     of_beams = (BEAMS,) if combined.model.beams else ()

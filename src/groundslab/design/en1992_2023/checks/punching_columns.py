@@ -24,7 +24,7 @@ from groundslab.design.en1992_2023.checks.punching_demand import (
     zone_demands,
 )
 from groundslab.design.en1992_2023.checks.remarks import SECOND_HAND
-from groundslab.messages import Message
+from groundslab.messages import Message, joined
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.results import Results
 
@@ -68,10 +68,10 @@ def _columns(combined: Results, steel: Reinforcement, demands: Demands, support:
         "tau_Rd,c has the bars provided or 2 %, and, away from edges, a_pd instead of d_v where moments are zero "
         "nearer than 8 d_v (8.4.3(2)). tau_Ed / tau_Rd,c is over tau_Rdc,min where that is larger (8.4.1(2)).",
         edge_note(steel, support),
-        f"{DEPTH[support].replace('d is', 'd_v is')} {THINNER}",
+        joined((DEPTH[support].replace("d is", "d_v is"), THINNER), " "),
         *pulled_notes(known.values()),
         *((AROUND,) if support == "zone" else ()),
-        f"{SECOND_HAND}.",
+        Message("{second_hand}.", second_hand=SECOND_HAND),
         *((BEAMS,) if combined.model.beams else ()),
     )
     return PunchingColumns(

@@ -22,7 +22,7 @@ from groundslab.design.en1992_2023.checks.punching_demand import (
     zone_demands,
 )
 from groundslab.design.en1992_2023.checks.wall_ends import wall_demands
-from groundslab.messages import Message, Name
+from groundslab.messages import Message
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.results import Results
 
@@ -121,7 +121,7 @@ def _beta(demand: Punching, section: CriticalSection, one: Pushing) -> Iterator[
         return
     for n, e, width in zip((1, 2), demand.eccentricities, section.widths, strict=True):
         yield Step(
-            Message("eccentricity of the {name}'s force along axis {n}", name=Name(one), n=n),
+            Message("eccentricity of the {name}'s force along axis {n}", name=one, n=n),
             f"e_{n}",
             e,
             "m",

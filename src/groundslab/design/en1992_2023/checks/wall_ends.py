@@ -22,6 +22,7 @@ from groundslab.design.en1992_2023.checks.critical_sections import OPENING_REACH
 from groundslab.design.en1992_2023.checks.punching_demand import Punching
 from groundslab.design.en1992_2023.checks.remarks import SECOND_HAND
 from groundslab.design.en1992_2023.shear import minimum_resistance
+from groundslab.messages import Message
 from groundslab.model.design.laid_bars import punching_ratio
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.results import Results
@@ -107,7 +108,7 @@ def at_walls(combined: Results, _: Reinforcement) -> PunchingColumns:
             "1.4 at ends and 1.2 at corners. tau_Ed / tau_Rd,c is over tau_Rdc,min where that is larger (8.4.1(2)).",
             "Of walls as much counts as by DIN EN 1992-1-1/NA, Figure NA.6.12.1, but no more than 1.5 d_v along a "
             "side.",
-            f"{SECOND_HAND}.",
+            Message("{second_hand}.", second_hand=SECOND_HAND),
         ),
     )
 

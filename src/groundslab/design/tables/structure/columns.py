@@ -98,7 +98,7 @@ def _sources(wanted: list[tuple[str, str, int, bool]], columns: Table) -> tuple[
     errors = {column.error_of: column.name for column in columns.columns if column.error_of}
     shown, of_shown = list[_Source](), list[_Source]()
     for number, (quantity, unit, sign, named) in enumerate(wanted):
-        what = f"{'greatest' if sign > 0 else 'least'} {quantity}"
+        what = Message("greatest {quantity}" if sign > 0 else "least {quantity}", quantity=quantity)
         shown.append((number, (what, unit), quantity))
         if named:
             shown.append((number, (Message("combination of the {what}", what=what), ""), "combination"))
