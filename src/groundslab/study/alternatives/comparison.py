@@ -17,6 +17,7 @@ from groundslab.design.proposal.links import punching_links
 from groundslab.design.proposal.propose import propose_bars
 from groundslab.errors import GroundslabError
 from groundslab.fem.shape_functions import areas
+from groundslab.messages import Message, Name
 from groundslab.model.model import Model
 from groundslab.model.settings import ACCURACIES
 from groundslab.results.results import Results
@@ -72,9 +73,9 @@ class DesignAlternative:
     @property
     def verdict(self) -> str:
         """Return the status, and whether it hangs on the discretization error that nothing exceeds its limit."""
-        return (
-            self.status if self.status == "fails" or not self.within_error else f"{self.status}, but within the error"
-        )
+        if self.status == "fails" or not self.within_error:
+            return self.status
+        return Message("{status}, but within the error", status=self.status)
 
 
 @dataclass(frozen=True, slots=True)
@@ -187,7 +188,7 @@ def _try(
         if not results.results:
             raise next(iter(results.refused.values()))
     except GroundslabError as error:
-        notes.append(f"Without a result: {proposal.words}: {error}")
+        notes.append(Message("Without a result: {words}: {error}", words=proposal.words, error=str(error)))
         return
     if results.model.reinforcement is None:
         yield _measure(proposal, document.text, results)
@@ -200,7 +201,7 @@ def _propose(proposal: Proposal, text: str, results: Results, folder: Path | Non
     try:
         proposed = propose_bars(results)
     except GroundslabError as error:
-        notes.append(f"No bars can be proposed: {proposal.words}: {error}")
+        notes.append(Message("No bars can be proposed: {words}: {error}", words=proposal.words, error=str(error)))
         return None
     written = with_reinforcement(text, proposed.reinforcement, folder or Path())
     # where concrete cracks, bars change how stiff the slab is
@@ -236,7 +237,11 @@ def _measure(proposal: Proposal, text: str, results: Results, remarks: tuple[str
         status=design.status,
         notes=(
             *remarks,
-            *(f"no links at {layout.name}: {layout.why}" for layout in layouts if not layout.perimeters),
+            *(
+                Message("no links at {name}: {why}", name=Name(layout.name), why=layout.why)
+                for layout in layouts
+                if not layout.perimeters
+            ),
         ),
         within_error=_within_error(design),
     )

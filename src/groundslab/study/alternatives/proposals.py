@@ -13,11 +13,11 @@ from groundslab.case.editing import lengths
 from groundslab.case.editing.toml_values import Path, get_value
 from groundslab.design.demands.perimeter_loads import footprint_of, thickness_at
 from groundslab.design.proposal.links import punching_links
+from groundslab.messages import Message, Name, joined
 from groundslab.model.model import Model
 from groundslab.model.plates.region import get_plate_region
 from groundslab.model.structure.columns import Column
 from groundslab.results.results import CombinationResult, Results
-from groundslab.schema.wording import listed
 from groundslab.unit_systems import FOOT, INCH, System
 
 #: By how much thicknesses are changed [m]: about a tenth of the slab's, in these steps.
@@ -65,10 +65,13 @@ def other_thicknesses(model: Model, data: dict[str, Any]) -> Iterator[Proposal]:
         new = [_thickness_of(model, path) + change for path in paths]
         if min(new) < step / 2:
             continue
-        word = "thicker" if change > 0 else "thinner"
-        shown = _shown(abs(change), model.units)
+        word, size = "thicker" if change > 0 else "thinner", 1e3 * abs(change)
+        name, words = (
+            Message(f"{about}{{change:.4g mm}} {word}", change=size).in_units(model.units)
+            for about in ("", "The slab and its zones ")
+        )
         edits = [(path, _written(get_value(data, path), value)) for path, value in zip(paths, new, strict=True)]
-        yield Proposal(f"{shown} {word}", f"The slab and its zones {shown} {word}", tuple(edits))
+        yield Proposal(name, words, tuple(edits))
 
 
 def drop_panels(results: Results, data: dict[str, Any]) -> Proposal | None:
@@ -83,13 +86,12 @@ def drop_panels(results: Results, data: dict[str, Any]) -> Proposal | None:
         (region.plate_at((column.x, column.y)), *_panel(model, column, next(iter(results.values()))))
         for column in columns
     ]
-    shown = _shown(PANEL_STEPS * thickness_step(model), model.units)
-    names = listed([column.name for column in columns], "and")
-    return Proposal(
-        f"drop panels, {shown}",
-        f"{PANELS} {shown} thicker than the slab, at {names}",
-        tuple(_add_zones(data, panels)),
-    )
+    change = 1e3 * PANEL_STEPS * thickness_step(model)
+    *others, last = (Name(column.name) for column in columns)
+    names = joined([joined(others), last], " and ") if others else last
+    words = Message(f"{PANELS} {{change:.4g mm}} thicker than the slab, at {{names}}", change=change, names=names)
+    name = Message("drop panels, {change:.4g mm}", change=change)
+    return Proposal(name.in_units(model.units), words.in_units(model.units), tuple(_add_zones(data, panels)))
 
 
 def _panel(model: Model, column: Column, results: CombinationResult) -> tuple[float, Bounds]:
@@ -162,8 +164,3 @@ def _written(old: Any, value: float) -> str:
     """Return a length [m] as a file writes it, in the unit of another one."""
     text: str = lengths.format_lengths(old, [value], RESOLUTION)[0]
     return text
-
-
-def _shown(value: float, system: System) -> str:
-    """Return a change of thickness in words."""
-    return f"{value / INCH:g} in" if system == "US" else f"{1e3 * value:.4g} mm"

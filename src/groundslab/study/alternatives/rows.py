@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from groundslab.messages import words_in
+from groundslab.messages import Message, words_in
 from groundslab.study.alternatives.comparison import DesignAlternative, DesignComparison
 from groundslab.study.alternatives.proposals import PANELS
 from groundslab.unit_systems import unit_in
@@ -83,7 +83,11 @@ def _utilization(alternatives: tuple[DesignAlternative, ...], name: str) -> Comp
     values = [design.utilizations.get(name) for design in alternatives]
     most = [design.within_error.get(name) for design in alternatives]
     cells = tuple(
-        "" if value is None else f"{value:.2f}" if high is None else f"{value:.2f} to {high:.2f}"
+        ""
+        if value is None
+        else f"{value:.2f}"
+        if high is None
+        else Message("{value:.2f} to {high:.2f}", value=value, high=high)
         for value, high in zip(values, most, strict=True)
     )
     return ComparedRow(name, "", cells, tuple(value is not None and value > 1 for value in values))
@@ -92,9 +96,10 @@ def _utilization(alternatives: tuple[DesignAlternative, ...], name: str) -> Comp
 def notes(comparison: DesignComparison) -> tuple[str, ...]:
     """Return what each alternative is, and what a reader must know."""
     units = comparison.model.units
-    about = [f"{design.words}." for design in comparison.alternatives if design.words.startswith(PANELS)]
-    remarks = dict.fromkeys(f"{remark}." for design in comparison.alternatives for remark in design.notes)
-    return tuple(words_in(note, units) for note in (UTILIZATION_NOTE, *about, *remarks, *comparison.notes))
+    about = [design.words for design in comparison.alternatives if design.words.startswith(PANELS)]
+    remarks = dict.fromkeys(remark for design in comparison.alternatives for remark in design.notes)
+    sentences = (Message("{words}.", words=words) for words in (*about, *remarks))
+    return tuple(words_in(note, units) for note in (UTILIZATION_NOTE, *sentences, *comparison.notes))
 
 
 def layout_rows(comparison: DesignComparison) -> TableLayout:

@@ -79,7 +79,7 @@ def draw_comparison(comparison: GroundComparison, titled: bool = True) -> Figure
             axes.tick_params(labelbottom=row == len(fields) - 1)
         across, where = ("y", comparison.place[1]) if axis == "x" else ("x", comparison.place[0])
         place = Message(f"{{axis}}, at {across} = {{where:number m}}", axis=axis, where=round(where, 3))
-        axes.set_xlabel(Message("{label} [{unit}]", label=place, unit="m"))
+        axes.set_xlabel(style.label_of_length(place))
     return page.finish(top + 3 * HIGH + 2 * GAP + AXIS, legend)
 
 

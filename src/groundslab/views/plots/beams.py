@@ -101,7 +101,7 @@ def draw_curves(request: PlotRequest, curves: Sequence[BeamCurves], *, titled: b
                 draw_title(axes, [TitleLine(style.plain_text(beam.name, 80), style.BASE, style.INK, "bold")])
             axes.tick_params(labelbottom=row == len(drawn) - 1)
             top += HIGH + BETWEEN
-        axes.set_xlabel("distance s along the beam [m]")
+        axes.set_xlabel(style.label_of_length("distance s along the beam"))
         top += BELOW - BETWEEN
     return page.finish(top, legend if any(len(beam.names) > 1 for beam in curves) else {})
 

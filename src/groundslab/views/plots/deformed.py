@@ -11,9 +11,9 @@ import numpy as np
 from groundslab.fem.mesh import Mesh, interpolate, locate_nearest
 from groundslab.fem.shape_functions import q9
 from groundslab.geometry.plan import DRAWN_CHORD
-from groundslab.messages import Message, capitalized, joined
+from groundslab.messages import Message, capitalized, joined, quantity
 from groundslab.unit_systems import in_system
-from groundslab.units import UNITS, format_drawn
+from groundslab.units import UNITS
 from groundslab.views.plots.annotations import draw_title, panel_title, title_height
 from groundslab.views.plots.contours import draw_color_bar, triangulation
 from groundslab.views.plots.panels import NOT_CERTIFIED, Panel, build_panel, shared_scales
@@ -269,7 +269,7 @@ def _set_axes(axes: Any, model: Model, settlement: Array, factor: float, box: tu
     locator, scale = MaxNLocator(nbins=max(1, min(5, int(space))), steps=steps), -unit.scale / factor
     heights = [tick / scale for tick in locator.tick_values(high * scale, low * scale)]
     axes.set_zticks([z for z in heights if low - 1e-9 <= z <= high + 1e-9])
-    axes.zaxis.set_major_formatter(FuncFormatter(lambda z, _: f"{format_drawn(round(z * scale, 9))} {unit.name}"))
+    axes.zaxis.set_major_formatter(FuncFormatter(lambda z, _: quantity(round(z * scale, 9), unit.name, "number")))
     axes.set_xlabel(label_of_axis(axes.xaxis, "x", x0), labelpad=3)
     axes.set_ylabel(label_of_axis(axes.yaxis, "y", y0), labelpad=3)
     axes.patch.set_alpha(0.0)

@@ -174,7 +174,7 @@ def _draw_curves(
     axes.set_axisbelow(True)
     axes.tick_params(labelbottom=last)
     if last:
-        axes.set_xlabel("distance s along the line [m]")
+        axes.set_xlabel(style.label_of_length("distance s along the line"))
     axes.spines[["top", "right"]].set_visible(False)
     return entries
 

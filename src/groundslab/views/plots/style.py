@@ -119,6 +119,11 @@ def place_words(place: tuple[float, float], unit: str = "m") -> str:
     return Message(f"{{place:place {unit}}}", place=place)
 
 
+def label_of_length(name: str) -> str:
+    """Return the label of an axis of lengths in meters."""
+    return Message("{name} [{unit}]", name=name, unit="m")
+
+
 def label_of_axis(axis: Axis, name: str, low: float) -> str:
     """Return the label of an axis of coordinates from low [m] on; in national grids ticks count from a kilometer."""
     from matplotlib.ticker import FuncFormatter

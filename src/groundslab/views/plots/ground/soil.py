@@ -249,7 +249,7 @@ def _draw_layers(axes: Axes, column: SoilColumn, depth: float, *, to_scale: bool
     axes.set(xlim=(0, 1), ylim=(depth, 0), xticks=[])
     axes.spines[:].set_visible(False)
     axes.spines["left"].set_visible(to_scale)
-    axes.set_ylabel("depth z [m]" if to_scale else "not to scale", labelpad=1)
+    axes.set_ylabel(style.label_of_length("depth z") if to_scale else "not to scale", labelpad=1)
     if not to_scale:
         axes.set_yticks([])
 
@@ -311,7 +311,7 @@ def _write_tables(
     stretch = (wide * SIDE_BY_SIDE / style.PAGE_WIDTH) ** 0.5
     has_constants = any(layer.k0 for layer in column.layers)
     h, E, k0, k1 = (in_system(UNITS[name], units) for name in ("m", "MPa", "MPa/m", "MPa m"))
-    stiffnesses = [f"k0 [{k0.name}]", f"k1 [{k1.name}]"]
+    stiffnesses = [Name(f"k0 [{k0.name}]"), Name(f"k1 [{k1.name}]")]
     heads = ["layer", f"h [{h.name}]", f"E [{E.name}]", "\N{GREEK SMALL LETTER NU} [-]"]
     heads += stiffnesses if has_constants else []
     rows = [

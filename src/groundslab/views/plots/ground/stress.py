@@ -91,7 +91,8 @@ def _draw_section(
     s, z, stress = section
     S, Z = np.meshgrid(s, z, indexing="ij")
     draw_contours(axes, Triangulation(S.ravel(), Z.ravel()), stress.ravel() * unit.scale, scale)
-    axes.set(xlim=(s[0], s[-1]), ylim=(z[-1], 0.0), xlabel="distance s along the line [m]", ylabel="depth z [m]")
+    along, depth = map(style.label_of_length, ("distance s along the line", "depth z"))
+    axes.set(xlim=(s[0], s[-1]), ylim=(z[-1], 0.0), xlabel=along, ylabel=depth)
     i, j = np.unravel_index(int(stress.argmax()), stress.shape)
     ends = Message("from {start:place m} to {end:place m}", start=line.start, end=line.end)
     most = Message(
