@@ -184,12 +184,9 @@ def compare_grounds(
     fitted, notes = _solve_fitted(variants, only, continuum, from_soil["vlasov"].constants, report)
     solved = {"continuum": continuum} | from_soil | fitted
     lost = tuple(variants.base.without_equilibrium)
-    if lost:
-        notes.append(
-            Message("FOUNDATION FAILS: no equilibrium on the continuum in {listed}.", listed=quoted(lost, len(lost)))
-        )
-    if variants.base.unsolved:
-        names = quoted(variants.base.unsolved, len(variants.base.unsolved))
+    if names := quoted(lost, len(lost)):
+        notes.append(Message("FOUNDATION FAILS: no equilibrium on the continuum in {listed}.", listed=names))
+    if names := quoted(variants.base.unsolved, len(variants.base.unsolved)):
         notes.append(Message("Left aside, without a certified result on the continuum: {names}.", names=names))
     found = _compare(model, solved, (*_notes(base, continuum.limit_state), *notes, *soil.notes))
     return replace(found, without_equilibrium=lost)
