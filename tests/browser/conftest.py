@@ -7,7 +7,6 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
-from urllib.parse import urlsplit
 
 import pytest
 
@@ -63,8 +62,8 @@ def case(tmp_path: Path) -> Path:
 
 
 @dataclass
-class KeptTab:
-    """A tab for one test after the other: a new one takes longer than many tests; ``bench`` is of the one that runs."""
+class Tab:
+    """A tab, whose errors the test collects."""
 
     page: Any
     bench: Bench | None = None
@@ -74,20 +73,6 @@ class KeptTab:
         self.page.set_viewport_size(SCREEN)
         self.bench = Bench(self.page)
         return self.bench
-
-    def end(self) -> None:
-        """Leave the page, close all others, and forget what was stored."""
-        for page in self.page.context.pages:
-            if page != self.page:
-                page.close()
-        address = urlsplit(self.page.url)
-        self.page.goto("about:blank")
-        self.page.mouse.move(0, 0)
-        if address.scheme == "http":
-            session = self.page.context.new_cdp_session(self.page)
-            origin = f"http://{address.netloc}"
-            session.send("Storage.clearDataForOrigin", {"origin": origin, "storageTypes": "all"})
-            session.detach()
 
     def listen(self) -> None:
         """Tell the present test of errors of the page."""
@@ -107,16 +92,6 @@ def _new_context(browser: Any) -> Any:
     return context
 
 
-@pytest.fixture(scope="session")
-def kept_tab(browser: Any) -> Iterator[KeptTab]:
-    """The tab of all tests that need but one, and no scripts of their own in it."""
-    context = _new_context(browser)
-    tab = KeptTab(context.new_page())
-    tab.listen()
-    yield tab
-    context.close()
-
-
 @pytest.fixture
 def tabs(browser: Any) -> Iterator[Any]:
     """Return what opens a new tab; errors on the page fail the test in the end."""
@@ -124,7 +99,7 @@ def tabs(browser: Any) -> Iterator[Any]:
     benches: list[Bench] = []
 
     def open_tab() -> Bench:
-        tab = KeptTab(context.new_page())
+        tab = Tab(context.new_page())
         tab.listen()
         benches.append(tab.begin())
         return benches[-1]
@@ -141,13 +116,10 @@ def _is_error(line: Any) -> bool:
 
 
 @pytest.fixture
-def bench(kept_tab: KeptTab) -> Iterator[Bench]:
-    """One tab, as if it were new; errors on the page fail the test in the end."""
-    bench = kept_tab.begin()
-    yield bench
-    errors = [*bench.errors]
-    kept_tab.end()
-    assert errors == []
+def bench(tabs: Any) -> Bench:
+    """One tab, which no test before has left anything in; errors on the page fail the test in the end."""
+    opened: Bench = tabs()
+    return opened
 
 
 @pytest.fixture

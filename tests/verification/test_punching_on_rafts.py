@@ -240,8 +240,7 @@ def densely(results: gs.Results, demand: Demand) -> list[float]:
     """Return v_Ed / v_Rd at eighty distances up to 2 d."""
     from groundslab.design.en1992.checks import governing_perimeters
 
-    known = governing_perimeters._SITES.get(results.only.plate.nodes, results.model, dict)
-    site = known[(False, demand.name), False]
+    site = governing_perimeters._sites(results.only, results.model)[(False, demand.name), False]
     uses = []
     for distance in np.linspace(0.0, 2 * demand.d, 81)[1:]:
         control = site.control(results.only, float(distance))
