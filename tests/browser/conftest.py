@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -12,8 +11,6 @@ import pytest
 
 from helpers.browsing import ARGUMENTS, PATIENCE, SMALL, Bench, Server, SharedServer, chromium, missing
 from helpers.firefox import missing_firefox
-
-SCREEN = {"width": 1366, "height": 768}
 
 
 def pytest_terminal_summary(terminalreporter: Any) -> None:
@@ -61,48 +58,20 @@ def case(tmp_path: Path) -> Path:
     return path
 
 
-@dataclass
-class Tab:
-    """A tab, whose errors the test collects."""
-
-    page: Any
-    bench: Bench | None = None
-
-    def begin(self) -> Bench:
-        """Return the tab, whose errors the present test collects."""
-        self.page.set_viewport_size(SCREEN)
-        self.bench = Bench(self.page)
-        return self.bench
-
-    def listen(self) -> None:
-        """Tell the present test of errors of the page."""
-        self.page.on("pageerror", lambda error: self._add(str(error)))
-        self.page.on("console", lambda line: self._add(line.text) if _is_error(line) else None)
-
-    def _add(self, error: str) -> None:
-        if self.bench is not None:
-            self.bench.errors.append(error)
-
-
-def _new_context(browser: Any) -> Any:
-    """Return a new context, in which the tour was taken."""
-    context = browser.new_context(viewport=SCREEN, accept_downloads=True)
-    context.set_default_timeout(PATIENCE)
-    context.add_init_script("try { localStorage.setItem('groundslab-tour', 'taken'); } catch {}")
-    return context
-
-
 @pytest.fixture
 def tabs(browser: Any) -> Iterator[Any]:
     """Return what opens a new tab; errors on the page fail the test in the end."""
-    context = _new_context(browser)
+    context = browser.new_context(viewport={"width": 1366, "height": 768}, accept_downloads=True)
+    context.set_default_timeout(PATIENCE)
+    context.add_init_script("try { localStorage.setItem('groundslab-tour', 'taken'); } catch {}")
     benches: list[Bench] = []
 
     def open_tab() -> Bench:
-        tab = Tab(context.new_page())
-        tab.listen()
-        benches.append(tab.begin())
-        return benches[-1]
+        bench = Bench(context.new_page())
+        bench.page.on("pageerror", lambda error: bench.errors.append(str(error)))
+        bench.page.on("console", lambda line: bench.errors.append(line.text) if _is_error(line) else None)
+        benches.append(bench)
+        return bench
 
     yield open_tab
     errors = [error for bench in benches for error in bench.errors]
@@ -117,13 +86,6 @@ def _is_error(line: Any) -> bool:
 
 @pytest.fixture
 def bench(tabs: Any) -> Bench:
-    """One tab, which no test before has left anything in; errors on the page fail the test in the end."""
-    opened: Bench = tabs()
-    return opened
-
-
-@pytest.fixture
-def own_bench(tabs: Any) -> Bench:
-    """A tab of the test's own, in which it may run scripts before those of the page."""
+    """One tab."""
     opened: Bench = tabs()
     return opened

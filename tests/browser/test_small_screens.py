@@ -184,14 +184,14 @@ def test_rows_of_checks_in_view(solved_pad: str, bench: Bench) -> None:
 
 
 @pytest.mark.parametrize(("language", "sizes"), [("en", (LAPTOP, LARGE)), ("de", (LAPTOP, LOW))], ids=["en", "de"])
-def test_nothing_is_cut(solved_pad: str, own_bench: Bench, language: str, sizes: tuple[tuple[int, int], ...]) -> None:
+def test_nothing_is_cut(solved_pad: str, bench: Bench, language: str, sizes: tuple[tuple[int, int], ...]) -> None:
     """In every view of the model and every tab of results no words are cut, or a title has them."""
-    open_pad(own_bench, solved_pad, LAPTOP, language)
+    open_pad(bench, solved_pad, LAPTOP, language)
     for size in sizes:
-        resize(own_bench, size)
-        for tab in own_bench.page.get_by_role("tab").all():
+        resize(bench, size)
+        for tab in bench.page.get_by_role("tab").all():
             tab.click()
-            own_bench.wait_equal(lambda: own_bench.page.evaluate(CUT), [])
+            bench.wait_equal(lambda: bench.page.evaluate(CUT), [])
 
 
 def test_what_is_cut_is_found(bench: Bench) -> None:
@@ -206,36 +206,36 @@ def test_what_is_cut_is_found(bench: Bench) -> None:
 
 
 @pytest.mark.parametrize("language", ["de", "es", "fr", "pl"])
-def test_what_solving_takes_is_told_in_full(server: Server, own_bench: Bench, pad: Path, language: str) -> None:
+def test_what_solving_takes_is_told_in_full(server: Server, bench: Bench, pad: Path, language: str) -> None:
     """Accuracy, time, unknowns and combinations are not cut in any language, nor is the name of the file."""
     text = pad.read_text(encoding="utf-8")
     pad.write_text(text[: text.index("[mesh]")] + '[mesh]\naccuracy = "draft"\n', encoding="utf-8")
-    own_bench.page.add_init_script(f"localStorage.setItem('groundslab-language', '{language}')")
-    resize(own_bench, LAPTOP)
-    own_bench.open(server.start(pad))
-    own_bench.page.locator(".solve").click()  # what it takes is known before, and no longer told while it is solved
-    own_bench.until(lambda: own_bench.seen(".cost") != "")
-    own_bench.wait_equal(lambda: own_bench.page.evaluate(CUT), [])
-    assert own_bench.page.locator(".file-title").evaluate("(each) => each.scrollWidth <= each.clientWidth")
-    draft = own_bench.page.locator(".accuracy option").first.inner_text()
+    bench.page.add_init_script(f"localStorage.setItem('groundslab-language', '{language}')")
+    resize(bench, LAPTOP)
+    bench.open(server.start(pad))
+    bench.page.locator(".solve").click()  # what it takes is known before, and no longer told while it is solved
+    bench.until(lambda: bench.seen(".cost") != "")
+    bench.wait_equal(lambda: bench.page.evaluate(CUT), [])
+    assert bench.page.locator(".file-title").evaluate("(each) => each.scrollWidth <= each.clientWidth")
+    draft = bench.page.locator(".accuracy option").first.inner_text()
     assert draft.startswith(messages(language)["Draft (15 %)"])
 
 
 @pytest.mark.parametrize(("size", "language"), [(LAPTOP, "en"), (LOW, "de")], ids=["1366x768", "1280x650"])
-def test_tabs_are_all_reached(solved_pad: str, own_bench: Bench, size: tuple[int, int], language: str) -> None:
+def test_tabs_are_all_reached(solved_pad: str, bench: Bench, size: tuple[int, int], language: str) -> None:
     """By keys and by the arrows at the ends every tab comes into view, and stays; arrows say where there are more."""
-    open_pad(own_bench, solved_pad, size, language)
+    open_pad(bench, solved_pad, size, language)
     for part in (".model", ".lower"):
-        bar = own_bench.page.locator(f"{part} > .scrolling-bar")
+        bar = bench.page.locator(f"{part} > .scrolling-bar")
         tabs = bar.get_by_role("tab").all()
         tabs[0].click()
         for _ in tabs:
-            own_bench.wait_equal(lambda bar=bar: bar.evaluate(TABS), [])
-            own_bench.page.keyboard.press("ArrowRight")
-    tabs = own_bench.page.locator(".lower .tabs")
+            bench.wait_equal(lambda bar=bar: bar.evaluate(TABS), [])
+            bench.page.keyboard.press("ArrowRight")
+    tabs = bench.page.locator(".lower .tabs")
     for side, sign in (("end", 1), ("start", -1)):
-        arrow = own_bench.page.locator(f".lower .bar-arrow.{side}")
-        own_bench.until(arrow.is_visible)
+        arrow = bench.page.locator(f".lower .bar-arrow.{side}")
+        bench.until(arrow.is_visible)
         at = tabs.evaluate(SETTLED)
         while arrow.is_visible():
             arrow.click()
@@ -282,17 +282,17 @@ IS_SEEN = """(each) => {
 }"""
 
 
-def test_dialogs_fit_and_are_dark(server: Server, own_bench: Bench, tmp_path: Path) -> None:
+def test_dialogs_fit_and_are_dark(server: Server, bench: Bench, tmp_path: Path) -> None:
     """Dialogs of files, imports, exports, keys and generators fit into the window, their buttons seen, all dark."""
     case = write_case(tmp_path)
     write_table(tmp_path, ETABS)
-    own_bench.page.add_init_script("localStorage.setItem('groundslab-theme', 'dark')")
-    page, url, wrong = own_bench.page, server.start(case, by_itself=False), {}
+    bench.page.add_init_script("localStorage.setItem('groundslab-theme', 'dark')")
+    page, url, wrong = bench.page, server.start(case, by_itself=False), {}
     for size in (LAPTOP, LOW):
-        resize(own_bench, size)
-        own_bench.open(url)
+        resize(bench, size)
+        bench.open(url)
         assert page.locator("html").get_attribute("data-theme") == "dark"
-        for name, dialog in _dialogs(own_bench):
+        for name, dialog in _dialogs(bench):
             dialog.wait_for()
             wrong[name, size] = dialog.evaluate(DIALOG)
             page.keyboard.press("Escape")

@@ -262,18 +262,18 @@ def test_the_result_is_read_at_places_and_along_lines(server: Server, bench: Ben
     page.locator(".gs-space canvas").wait_for()
 
 
-def test_the_plan_is_read_before_the_browser_has_told_its_size(server: Server, own_bench: Bench, case: Path) -> None:
+def test_the_plan_is_read_before_the_browser_has_told_its_size(server: Server, bench: Bench, case: Path) -> None:
     """On a busy machine a key and a click come before the browser reports the size of the plan; they miss nothing."""
     late = "super((...seen) => setTimeout(() => notify(...seen), 3000))"
     observer = f"class extends ResizeObserver {{ constructor(notify) {{ {late}; }} }}"
-    own_bench.page.add_init_script(f"window.ResizeObserver = {observer};")
-    own_bench.open(server.start(case))
-    own_bench.wait_solved()
-    plan = own_bench.page.locator(".gs-plan")
+    bench.page.add_init_script(f"window.ResizeObserver = {observer};")
+    bench.open(server.start(case))
+    bench.wait_solved()
+    plan = bench.page.locator(".gs-plan")
     plan.press("+")
     plan.click()
-    own_bench.wait_seen(".value-box", "all loads")
-    assert "not on the plate" not in own_bench.seen(".value-box")
+    bench.wait_seen(".value-box", "all loads")
+    assert "not on the plate" not in bench.seen(".value-box")
 
 
 def test_the_mesh_is_drawn_over_the_field(server: Server, bench: Bench, case: Path) -> None:

@@ -36,20 +36,20 @@ def test_a_preview_has_figures(server: Server, bench: Bench, tmp_path: Path) -> 
     assert bench.page.get_by_role("tab", name="Checks").and_(bench.page.locator(":visible")).count() == 0
 
 
-def test_provisional_results_come_before_the_last(server: Server, own_bench: Bench, tmp_path: Path) -> None:
+def test_provisional_results_come_before_the_last(server: Server, bench: Bench, tmp_path: Path) -> None:
     """While the mesh is refined there are figures, checks and tables, and over the picture how far they are off."""
     case = tmp_path / "adaptive.toml"
     case.write_text(SMALL.replace('size = "0.5 m"', 'accuracy = "0.2 %"\nmax_unknowns = 100_000'), encoding="utf-8")
-    own_bench.page.add_init_script(RECORD)
-    own_bench.open(server.start(case))
-    own_bench.wait_seen(".preview-over:visible", "Provisional: mesh ")
-    first = own_bench.largest("largest settlement")
+    bench.page.add_init_script(RECORD)
+    bench.open(server.start(case))
+    bench.wait_seen(".preview-over:visible", "Provisional: mesh ")
+    first = bench.largest("largest settlement")
     assert first > 0
-    tabs = own_bench.page.locator(".result")
+    tabs = bench.page.locator(".result")
     tabs.get_by_role("tab", name="Mesh and errors").click()
-    own_bench.wait_seen(".table-box:visible", "largest error")
-    own_bench.wait_solved()
-    seen = own_bench.page.evaluate("window.previews")
+    bench.wait_seen(".table-box:visible", "largest error")
+    bench.wait_solved()
+    seen = bench.page.evaluate("window.previews")
     assert all(each.startswith(("Preview on a coarse mesh", "Provisional: mesh ")) for each in seen)
-    own_bench.wait_equal(own_bench.page.locator(".preview-over:visible").count, 0)
-    assert own_bench.largest("largest settlement") == pytest.approx(first, rel=0.01)
+    bench.wait_equal(bench.page.locator(".preview-over:visible").count, 0)
+    assert bench.largest("largest settlement") == pytest.approx(first, rel=0.01)
