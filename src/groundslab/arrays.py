@@ -65,13 +65,14 @@ def made_once(make: Made) -> Made:
     """Return a function that makes its value once for its arguments, for as long as the first one lives.
 
     Results are immutable and hold arrays, which have no hash: functools.cache cannot hold what is derived from them.
-    The value may not hold the first argument, or both would live forever. Of the others the last ones count.
+    The value may not hold the first argument, or both would live forever. With other arguments beside it the value is
+    made anew, and that of the last ones is kept.
     """
     return made_once_by(lambda *args: args)(make)
 
 
 def made_once_by(objects: Callable[..., tuple[object, ...]]) -> Callable[[Made], Made]:
-    """Return what does the same by the objects on which a value depends, which are found from the arguments."""
+    """Return what makes a function do so by the objects that its value depends on, which follow from its arguments."""
 
     def keeping(make: Made) -> Made:
         @functools.wraps(make)

@@ -21,20 +21,27 @@ if TYPE_CHECKING:
 
 #: What fills a hole: a text, a number or a place.
 Value: TypeAlias = "str | float | Sequence[float] | NDArray[np.float64]"
-#: What stands in a hole of a template, and returns its text; the second is what follows the hole's colon.
+#: Returns the text of a value by the format and unit of its hole.
 Writer = Callable[[Any, str], str]
 #: Formats that Python has not: of coordinates, and of coordinates and numbers on figures.
 FORMATS: Mapping[str, Callable[[float], str]] = {
     "at": format_coordinate, "place": format_drawn_coordinate, "number": format_drawn,
 }  # fmt: skip
-#: What stands in the hole of a text that begins with a capital letter.
+#: The format of a text that begins with a capital letter.
 CAPITAL = "capital"
 
 
 class Name(str):
-    """A text that is the same in all languages and units: the name of a thing of a case, a clause, a symbol."""
+    """A text that is the same in all languages and units: the name of a thing of a case, a clause, a symbol.
+
+    What a thing without a name is called is a message, and stays one.
+    """
 
     __slots__ = ()
+
+    def __new__(cls, text: object = "") -> Self:
+        """Return the text as a name; one that is said already as it is."""
+        return text if isinstance(text, cls | Message) else super().__new__(cls, text)  # type: ignore[return-value]
 
     def __str__(self) -> str:
         """Return the name, which stays one."""
@@ -55,8 +62,7 @@ class Message(str):
     template : str
         English text with named holes, as in "{beam}: {M:.4g kNm} at {place:.3f m}". A hole has the format of its
         number and its unit of display, in which the value is given. A unit in brackets is not written, as another
-        number with the same one follows: "{w:.3g (mm)} <= {limit:.3g mm}". See `FORMATS` for
-        others than Python's, such as "at" of coordinates.
+        number with the same one follows: "{w:.3g (mm)} <= {limit:.3g mm}". `FORMATS` has formats that Python has not.
     **values : float, tuple of float or str
         What fills the holes: a number, a place, a `Name`, another message.
 
@@ -139,6 +145,12 @@ class Listed(Message):
 def joined(parts: Iterable[str], mark: str = ", ") -> Listed:
     """Return texts, messages among them, one after another with a mark between."""
     return Listed._made(mark, {str(number): part for number, part in enumerate(parts, start=1)}, "SI")
+
+
+def series(parts: Iterable[str]) -> str:
+    """Return texts as a list in words: "a, b and c"."""
+    *others, last = parts
+    return joined((joined(others), last), " and ") if others else last
 
 
 def capitalized(text: str, change: Callable[[str], str] = str.upper) -> str:

@@ -29,6 +29,14 @@ def said(name: str) -> Message:
     )  # fmt: skip
 
 
+def test_what_has_no_name_is_called_by_a_message() -> None:
+    """A support that is called by its number is no name, whoever takes it for one."""
+    support = Message("support {number}", number=3)
+    assert Name(support) is support
+    assert translator("de")(Name(support)) == "Lager 3"
+    assert isinstance(Name("support 3"), Name)
+
+
 def test_the_text_is_english_in_si_units() -> None:
     """A message is its text: equal to it, part of it, and joined with others as texts are."""
     message = Message(

@@ -158,6 +158,8 @@ class Catalogue:
         if isinstance(text, Clause):
             return self.whole.get(text) or _WORDS.sub(lambda word: self.whole.get(word[0], word[0]), text)
         if isinstance(text, Name):
+            if self.unknown is not None and text not in self.names and self.whole.get(text, text) != text:
+                self.unknown.append(text)  # a label that was taken for a name
             return text
         if isinstance(text, Listed):
             mark = WORDS_BETWEEN[self.language].get(text.mark, text.mark)

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from groundslab.arrays import made_once
+from groundslab.messages import Name
 
 if TYPE_CHECKING:
     from groundslab.model.model import Model
@@ -13,7 +14,7 @@ if TYPE_CHECKING:
 
 @made_once
 def names_of(model: Model) -> frozenset[str]:
-    """Return the names of all that a case has."""
+    """Return the names of all that a case has, groups of load cases among them."""
     return frozenset(_names(model.model_dump()))
 
 
@@ -25,6 +26,8 @@ def _names(value: Any) -> Iterator[str]:
                 yield part
             else:
                 yield from _names(part)
+    elif isinstance(value, Name):
+        yield value
     elif isinstance(value, Sequence) and not isinstance(value, str):
         for part in value:
             yield from _names(part)

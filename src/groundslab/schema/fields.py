@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 from typing import Any, ClassVar, get_args
 
 from groundslab import units
-from groundslab.messages import Name
+from groundslab.messages import Message, Name
 from groundslab.schema import ranges, toml_writer
 from groundslab.schema.issues import FieldError, RelativeIssue, field_error
 from groundslab.schema.repairs import add_unit, meant_word
@@ -287,6 +287,8 @@ class Text(FieldType):
         """Return the text as it may be shown anywhere, see `printable`, and as it stays wherever it is shown."""
         if not isinstance(value, str):
             raise field_error(value, self.expected())
+        if isinstance(value, Message):
+            return Name(value)
         if any("\ud800" <= letter <= "\udfff" for letter in value):
             raise field_error(value, "text without lone surrogates")
         return Name(printable(value))

@@ -14,7 +14,8 @@ from tests.helpers.paths import ROOT
 
 from groundslab.languages import LANGUAGES, Language, translator
 from groundslab.languages.catalogue import Catalogue, Template, messages, with_commas
-from groundslab.messages import key_of
+from groundslab.messages import CAPITAL, holes_of, key_of, written
+from groundslab.unit_systems import CUSTOMARY
 
 OTHERS: list[Language] = [language for language in LANGUAGES if language != "en"]
 GAP = re.compile(r"\{(\d*)\}")
@@ -250,6 +251,31 @@ def texts_of(tree: ast.AST) -> Iterator[str]:
 def filled(message: str) -> str:
     """Return a message with numbers in its gaps; what goes on with a word or a bracket may be nothing."""
     return re.sub(r"\{\w*\}", "1", re.sub(r"(?<=[\w)])(?:\{\w*\})+", "", message))
+
+
+def said() -> Iterator[tuple[str, str, set[str]]]:
+    """Yield where each message of the package is, its template, and the names of its values."""
+    for path in sorted(Path(ROOT, "src", "groundslab").rglob("*.py")):
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            called = getattr(node.func, "id", "") if isinstance(node, ast.Call) else ""
+            if isinstance(node, ast.Call) and called in ("Message", "counted"):
+                given = {keyword.arg or "" for keyword in node.keywords}
+                for part in (part for part in node.args if isinstance(part, ast.Constant)):
+                    yield f"{path.name}:{node.lineno}", str(part.value), given
+
+
+def test_each_hole_has_a_value_and_a_known_unit() -> None:
+    """In branches, too, that no test takes: no value is missing or for nothing, and none is left in SI units."""
+    templates = list(said())
+    assert len(templates) > 400
+    for where, template, given in templates:
+        holes = [(name, spec) for _, name, spec in holes_of(template) if name is not None]
+        if "" not in given:  # values that are handed on
+            assert {name for name, _ in holes} - {"count"} == given - {"count"}, (where, template)
+        for _, spec in holes:
+            unit = spec.partition(" ")[2].strip("()")
+            assert not unit or unit in CUSTOMARY, (where, template)
+            assert spec == CAPITAL or written(1.5, spec, "US")
 
 
 @pytest.mark.parametrize("language", OTHERS)

@@ -82,9 +82,9 @@ def _balanced(combined: Results, made: list[Combination]) -> DesignCheck:
         words = "the combination is in equilibrium"
     if len(solved) < len(made):
         words = Message(
-            "{number} of {number_2} combinations are in equilibrium, the others have no certified result",
-            number=len(solved),
-            number_2=len(made),
+            "{solved} of {number} combinations are in equilibrium, the others have no certified result",
+            solved=len(solved),
+            number=len(made),
         )
     status: Status = "no failure found"
     if numbers and numbers["demand"] > numbers["resistance"] * (1 + ROUNDING):

@@ -179,7 +179,7 @@ def _without_resistance(results: list[CombinationResult]) -> Iterator[DesignChec
         yield DesignCheck(WITHOUT, "not checked", words, clause="EN 1997-1 7.6.2, 7.6.3")
     if half:
         listed = joined((words for words, _ in half[:MOST_NAMED]), "; ") + (" ..." if len(half) > MOST_NAMED else "")
-        words = Message("without a limit that way, {listed}", listed=listed)
+        words = Message("without a limit that way, {forces}", forces=listed)
         yield not_judged(WITHOUT, NO_LIMIT, words, clause="EN 1997-1 7.6.2, 7.6.3", combination=half[0][1])
 
 
@@ -206,7 +206,7 @@ def _holding_down(results: list[CombinationResult]) -> Iterator[DesignCheck]:
     if pulls:
         words = [each for _, each in sorted(pulls, reverse=True)]
         listed = joined(words[:MOST_NAMED], "; ") + (" ..." if len(words) > MOST_NAMED else "")
-        yield not_judged(ANCHORED, NO_LIMIT, Message("what holds the plate down has no limit, {listed}", listed=listed))
+        yield not_judged(ANCHORED, NO_LIMIT, Message("what holds the plate down has no limit, {forces}", forces=listed))
 
 
 def _pull(described: AnySupport, results: CombinationResult, number: int) -> float:
@@ -241,7 +241,7 @@ def _one_sided(
         return
     most = max(lifted, key=lambda combination: shares[combination])
     part = (
-        Message("over {shares:.3g} % of its length ", shares=100 * shares[most])
+        Message("over {share:.3g} % of its length ", share=100 * shares[most])
         if isinstance(described, LineSupport)
         else ""
     )

@@ -215,7 +215,7 @@ def _bending(needs: list[required_bars.Need]) -> DesignCheck:
     if not failing:
         return DesignCheck("bending", "no failure found", "reinforcement can be designed everywhere")
     worst = max(failing, key=lambda need: need.fails)
-    share = Message("{fails:.3g} % of the plate's area", fails=100 * worst.fails)
+    share = Message("{share:.3g} % of the plate's area", share=100 * worst.fails)
     return DesignCheck(
         "bending",
         "fails",

@@ -12,7 +12,7 @@ from groundslab.design.basis.calculation import Step
 from groundslab.design.basis.check import DesignCheck
 from groundslab.design.basis.combinations import solved_results
 from groundslab.design.demands.design_moments import design_moments
-from groundslab.messages import Clause, Message, Name
+from groundslab.messages import Clause, Message
 from groundslab.model.design.laid_bars import LaidBars
 from groundslab.results.fields import place_of
 from groundslab.results.results import Results
@@ -63,7 +63,7 @@ def check_first_cracks(combined: Results, laid: dict[str, LaidBars], rule: First
         "no failure found" if holds else "fails",
         Message(
             "{name}: {demand:.4g (cm2/m)} {sign} {resistance:.4g cm2/m} at {place:.3f m}, {assumed} ({clause})",
-            name=Name(name),
+            name=name,
             demand=demand,
             sign="<=" if holds else ">",
             resistance=resistance,

@@ -21,7 +21,7 @@ from groundslab.design.proposal.plan_grid import CellValues, PlanGrid, locate_ce
 from groundslab.design.punching_links.layout import LinkLayout
 from groundslab.design.required_bars import largest_areas, required_areas
 from groundslab.errors import GroundslabError, InputError, Issue
-from groundslab.messages import Message, Name
+from groundslab.messages import Message
 from groundslab.model.design.bars import BarZone
 from groundslab.model.design.detailing import Detailing, allowed_bars
 from groundslab.model.design.laid_bars import axis_of, bar_area, laid_bars, polygon_of
@@ -140,10 +140,10 @@ def _propose(
     """Return the bars of a layer, None if none are enough, and what they could not keep to."""
     name, every = layer.replace("_", " "), _diameters(steel, layer, rule, crossing=True)
     thick, far = replace(task, diameters=every), replace(task, farthest=_no_limit)
-    crossing = Message("{name}: the axes leave no room for bars so thick to cross others", name=Name(name))
+    crossing = Message("{name}: the axes leave no room for bars so thick to cross others", name=name)
     apart = Message(
         "{name}: bars are farther apart than cracks allow, as none of those that may be proposed are near enough",
-        name=Name(name),
+        name=name,
     )
     for attempt, missed in (
         (task, []), (thick, [crossing]), (far, [apart]), (replace(far, diameters=every), [crossing, apart])

@@ -121,7 +121,7 @@ class LinkLayout:
         if len(set(counts)) == 1:
             return f"{len(counts)} x {counts[0]}"
         if len(counts) > MOST_COUNTS:
-            return Message("{number} perimeters, {number_2}", number=len(counts), number_2=sum(counts))
+            return Message("{number} perimeters, {legs}", number=len(counts), legs=sum(counts))
         return " + ".join(map(str, counts))
 
     @property

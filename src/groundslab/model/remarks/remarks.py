@@ -11,7 +11,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from groundslab.messages import Message, Name, joined
+from groundslab.messages import Message, Name, counted, joined, series
 from groundslab.model.combinations import list_combinations
 from groundslab.model.loads.annexes import is_unknown
 from groundslab.model.loads.clipping import find_clipped_loads
@@ -25,7 +25,7 @@ from groundslab.model.remarks.unusual import unusual_quantities
 from groundslab.model.structure.columns import overlapping_columns
 from groundslab.model.structure.spans import spans_of
 from groundslab.schema.issues import RelativeIssue
-from groundslab.schema.wording import listed, quote
+from groundslab.schema.wording import quote
 from groundslab.units import show
 
 if TYPE_CHECKING:
@@ -200,10 +200,10 @@ def _on_spans(model: Model) -> Iterator[Remark]:
             )
             openings = "an opening" if len(lengths) == 1 else "openings"
             words = Message(
-                "{what} spans {openings} of the plate, {listed} wide",
+                "{what} spans {openings} of the plate, {widths} wide",
                 what=what,
                 openings=openings,
-                listed=", ".join(lengths),
+                widths=", ".join(lengths),
             )
             yield Remark(place, Message("{text}: what acts on it there goes to both edges", text=words))
 
@@ -281,7 +281,7 @@ def _on_repeated(model: Model, uses: Sequence[CaseUse], combinations: Sequence[C
         key = "combinations" if model.combinations else "combine" if model.combine is not None else "cases"
         yield Remark(
             (key,),
-            Message("combinations with the same factors: {listed}{more}", listed=joined(pairs[:MOST_NAMED]), more=more),
+            Message("combinations with the same factors: {pairs}{more}", pairs=joined(pairs[:MOST_NAMED]), more=more),
         )
 
 
@@ -305,9 +305,11 @@ def _on_combine(model: Model, uses: Sequence[CaseUse], combinations: Sequence[Co
         return
     permanent = [quote(case.name) for case in loaded if case.action == "permanent"]
     if permanent:
-        are = f"{listed(permanent, 'and')} {'is' if len(permanent) == 1 else 'are'}"
-        words = Message(
-            'no case is variable: {are} combined as permanent; a live load needs action = "variable"', are=are
+        words = counted(
+            len(permanent),
+            'no case is variable: {cases} is combined as permanent; a live load needs action = "variable"',
+            'no case is variable: {cases} are combined as permanent; a live load needs action = "variable"',
+            cases=series(permanent),
         )
         yield Remark(("combine",), words, doubtful="ultimate" in model.combine.sets)
 

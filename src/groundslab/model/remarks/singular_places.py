@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 #: Within so many thicknesses of them section forces are reported as means over a width.
 REACH = 1.0
-#: What is said of such places.
+#: What is said beside that of forces.
 FINITE = "The moment under a force is finite if the force has a footprint."
 
 
@@ -96,11 +96,11 @@ def _kinks_of_lines(model: Model) -> Iterator[Place]:
     """Yield where line loads end or bend, but for ends where the next one goes on the same in its load case."""
     lines = [(load.case, shape) for load, shape in model.acting if isinstance(shape, LineForce)]
     starts, ends = (Counter((case, *_at_end(line, end)) for case, line in lines) for end in (0, -1))
-    joined = {place for _, place, *_ in starts & ends}
+    continued = {place for _, place, *_ in starts & ends}
     kinks = {place for _, place, *_ in (starts - ends) | (ends - starts)}
     kinks |= {place for _, line in lines for place in line.corners[0 if line.closed else 2 :]}
     for _, line in lines:
-        yield from (place for place in line.corners if place in kinks or place not in joined)
+        yield from (place for place in line.corners if place in kinks or place not in continued)
 
 
 def _at_end(line: LineForce, end: Literal[0, -1]) -> tuple[object, ...]:

@@ -17,6 +17,7 @@ import numpy as np
 
 from groundslab.arrays import Array
 from groundslab.geometry.plan import FLAT, Place, Segment, get_bounds
+from groundslab.messages import Message, Name, series
 from groundslab.model.structure.lines import line_segments, part_of_line
 from groundslab.model.structure.spans import Ways
 from groundslab.model.structure.walls import Wall
@@ -53,20 +54,22 @@ class WallEnd:
     @property
     def walls(self) -> str:
         """Return the names of its walls."""
-        return " and ".join(dict.fromkeys(sorted(leg.wall for leg in self.legs)))
+        return series(Name(wall) for wall in sorted({leg.wall for leg in self.legs}))
 
     @property
     def label(self) -> str:
         """Return which end or corner it is."""
         if self.kind == "end":
             leg = self.legs[0]
-            return f"edge at {leg.over:.6g} m" if leg.over is not None else "end" if leg.share else "start"
-        return f"corner {self.number}" if self.number else "corner"
+            if leg.over is not None:
+                return Message("edge at {over:.6g m}", over=leg.over)
+            return "end" if leg.share else "start"
+        return Message("corner {number}", number=self.number) if self.number else "corner"
 
     @property
     def name(self) -> str:
         """Return what checks call it."""
-        return f"{self.label} of {self.walls}"
+        return Message("{end} of {walls}", end=self.label, walls=self.walls)
 
     @property
     def place(self) -> Place:

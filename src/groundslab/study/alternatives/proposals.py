@@ -13,7 +13,7 @@ from groundslab.case.editing import lengths
 from groundslab.case.editing.toml_values import Path, get_value
 from groundslab.design.demands.perimeter_loads import footprint_of, thickness_at
 from groundslab.design.proposal.links import punching_links
-from groundslab.messages import Message, Name, joined
+from groundslab.messages import Message, Name, series
 from groundslab.model.model import Model
 from groundslab.model.plates.region import get_plate_region
 from groundslab.model.structure.columns import Column
@@ -87,8 +87,7 @@ def drop_panels(results: Results, data: dict[str, Any]) -> Proposal | None:
         for column in columns
     ]
     change = 1e3 * PANEL_STEPS * thickness_step(model)
-    *others, last = (Name(column.name) for column in columns)
-    names = joined([joined(others), last], " and ") if others else last
+    names = series(Name(column.name) for column in columns)
     words = Message(f"{PANELS} {{change:.4g mm}} thicker than the slab, at {{names}}", change=change, names=names)
     name = Message("drop panels, {change:.4g mm}", change=change)
     return Proposal(name.in_units(model.units), words.in_units(model.units), tuple(_add_zones(data, panels)))

@@ -114,11 +114,6 @@ def batch(items: Sequence[Item], size: int) -> list[Sequence[Item]]:
     return [items[first : first + size] for first in range(0, len(items), size)]
 
 
-def place_words(place: tuple[float, float], unit: str = "m") -> str:
-    """Return a place in words, with three decimals at most and a true minus sign."""
-    return Message(f"{{place:place {unit}}}", place=place)
-
-
 def label_of_length(name: str) -> str:
     """Return the label of an axis of lengths in meters."""
     return Message("{name} [{unit}]", name=name, unit="m")

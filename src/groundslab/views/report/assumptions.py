@@ -5,9 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from groundslab.messages import Message, joined, words_in
+from groundslab.messages import Message, joined, series, words_in
 from groundslab.model.ground import ContinuousGround, Continuum, Winkler
-from groundslab.schema.wording import listed
 
 if TYPE_CHECKING:
     from groundslab.model.model import Model
@@ -92,7 +91,7 @@ def _of_plate(model: Model) -> str:
     creep: str = ", without creep"
     if model.cracking.creep:
         creep = Message(", creep coefficient {creep:g}", creep=model.cracking.creep)
-    return Message(_CRACKED, states=listed(model.cracking.limit_states, "and"), creep=creep)
+    return Message(_CRACKED, states=series(model.cracking.limit_states), creep=creep)
 
 
 def _of_contact(model: Model) -> str:
@@ -124,7 +123,7 @@ def _of_ground(model: Model) -> str:
         }
         parts.append(ends[model.beyond.kind])
     if model.long_term is not None:
-        states = listed(model.long_term.limit_states, "and")
+        states = series(model.long_term.limit_states)
         template = "In {states} combinations it has {share:g} of its stiffness."
         parts.append(Message(template, states=states, share=model.long_term.stiffness))
     return joined(parts, " ")

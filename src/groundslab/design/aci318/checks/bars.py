@@ -15,7 +15,7 @@ from groundslab.design.basis.bar_checks import ROUNDING, check_clear, check_cove
 from groundslab.design.basis.calculation import MEGA, Step
 from groundslab.design.basis.check import DesignCheck
 from groundslab.design.basis.combinations import solved_results
-from groundslab.messages import Message, Name
+from groundslab.messages import Message
 from groundslab.model.design.laid_bars import LaidBars, axis_of, bars_of
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.fields import LAYERS, place_of
@@ -71,7 +71,7 @@ def _cracks(steel: Reinforcement, laid: dict[str, LaidBars], units: System) -> D
         Message(
             "{name}: {spacing:.4g (mm)} {sign} {most:.4g mm}, at f_s {f_s:.4g MPa} (24.3.2), which is asked "
             "of slabs that are reinforced in one direction (24.3.1)",
-            name=Name(name),
+            name=name,
             spacing=spacing,
             sign="<=" if holds else ">",
             most=most,

@@ -23,11 +23,10 @@ from groundslab.design.demands.perimeters import Perimeter, ZoneFootprint, area_
 from groundslab.fem.mesh import SIDES
 from groundslab.geometry.places import same_place
 from groundslab.geometry.rectangles import direction_at
-from groundslab.messages import Message, Name
+from groundslab.messages import Message, Name, series
 from groundslab.model.plates.further import first_sections
 from groundslab.model.structure.columns import Column
 from groundslab.results.results import CombinationResult, Results
-from groundslab.schema.wording import listed
 
 if TYPE_CHECKING:
     from shapely import Polygon
@@ -124,7 +123,7 @@ def zone_forces(combined: Results) -> tuple[ZoneForce, ...]:
     forces = (*punching_columns(combined.solved_model), *punching_piles(combined.model))
     sections = first_sections(combined.model.every_plate)
     zones = [
-        _called(zone, Message("{name} of {plate}", name=Name(zone.name), plate=plate))
+        _called(zone, Message("{zone} of {plate}", zone=zone.name, plate=Name(plate)))
         if combined.model.plates
         else zone
         for (plate, results), section in zip(split_by_plate(first).items(), sections, strict=True)
@@ -138,9 +137,7 @@ def _told_apart(zone: ZoneForce) -> ZoneForce:
     """Return a zone whose name says which columns are on it."""
     names = zone.columns[:MOST_NAMED]
     more = " ..." if len(zone.columns) > MOST_NAMED else ""
-    return _called(
-        zone, Message("{name} at {listed}{more}", name=Name(zone.name), listed=listed(names, "and"), more=more)
-    )
+    return _called(zone, Message("{zone} at {columns}", zone=zone.name, columns=series(map(Name, names)) + more))
 
 
 def _called(zone: ZoneForce, name: str) -> ZoneForce:
@@ -190,7 +187,9 @@ def _name(numbers: Sequence[int]) -> str:
     """Return what checks call a part of the plate that consists of zones with numbers from 1."""
     if not numbers:
         return "thicker slab"
-    return f"zone{'s' if len(numbers) > 1 else ''} {listed(map(str, numbers), 'and')}"
+    if len(numbers) == 1:
+        return Message("zone {number}", number=numbers[0])
+    return Message("zones {numbers}", numbers=series(map(str, numbers)))
 
 
 def _around(region: Polygon, name: str) -> Column:

@@ -43,7 +43,7 @@ def spacing_where_bent_most(combined: Results, steel: Reinforcement, laid: dict[
         "no failure found" if holds else "attention",
         Message(
             "{name}: {spacing:.4g (mm)} {sign} {most:.4g mm} at {place:.3f m}, {where} (9.3.1.1(3))",
-            name=Name(name),
+            name=name,
             spacing=spacing,
             sign="<=" if holds else ">",
             most=most,

@@ -213,10 +213,10 @@ def _more(needing: set[str], names: Names) -> str:
     listed = Name(", ".join(sorted(needing)[:6]) + (" ..." if len(needing) > 6 else ""))
     return (
         Message(
-            "; punching reinforcement is needed at {number} other {many}: {listed}",
+            "; punching reinforcement is needed at {number} other {supports}: {names}",
             number=len(needing),
-            many=names.many,
-            listed=listed,
+            supports=names.many,
+            names=listed,
         )
         if needing
         else ""
@@ -248,12 +248,12 @@ def _outer(demand: Demand, names: Names) -> str:
     """Return in words where links are needed no more."""
     beyond = outer(demand)
     return Message(
-        "to within {last_links:.2f m} of the perimeter beyond which none are needed, u_out {u:.2f m} "
-        "long, {distance:.2f m} from the {name} (6.4.5(4), 6.54)",
-        last_links=LAST_LINKS * demand.d,
+        "to within {reach:.2f m} of the perimeter beyond which none are needed, u_out {u:.2f m} "
+        "long, {distance:.2f m} from the {support} (6.4.5(4), 6.54)",
+        reach=LAST_LINKS * demand.d,
         u=beyond.u,
         distance=beyond.distance,
-        name=names.one,
+        support=names.one,
     )
 
 

@@ -18,7 +18,7 @@ from groundslab.design.en1992 import cracking
 from groundslab.design.en1992.case_materials import materials
 from groundslab.design.en1992.checks.cracks import crack_steps
 from groundslab.design.eurocode2.cracked_sections import Bars
-from groundslab.messages import Message, Name
+from groundslab.messages import Message
 from groundslab.model.design.laid_bars import LaidBars, axis_of
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.fields import place_of
@@ -101,13 +101,13 @@ def _areas(layer: str, place: tuple[float, float], steps: tuple[Step, ...]) -> D
         "no failure found" if holds else "fails",
         Message(
             "{name}: {demand:.4g (cm2/m)} {sign} {resistance:.4g cm2/m} at {place:.3f m}, k_c = 1, sigma_s = "
-            "f_yk and f_ct,eff {known:.3g MPa} (7.3.2(2))",
-            name=Name(name),
+            "f_yk and f_ct,eff {f_ct:.3g MPa} (7.3.2(2))",
+            name=name,
             demand=demand,
             sign="<=" if holds else ">",
             resistance=resistance,
             place=place,
-            known=known["f_ct"],
+            f_ct=known["f_ct"],
         ),
         of=name,
         demand=demand,
@@ -128,7 +128,7 @@ def _width(layer: str, place: tuple[float, float], width: float, w_max: float, s
         Message(
             "{name}: w_k {width:.3g (mm)} {sign} {w_max:.3g mm} at {place:.3f m} as the slab cracks all "
             "through (7.3.4)",
-            name=Name(name),
+            name=name,
             width=width * _MM,
             sign="<=" if holds else ">",
             w_max=w_max * _MM,
