@@ -25,8 +25,8 @@ from groundslab.fem.shape_functions import gauss, jacobian, q9
 from groundslab.fem.system import nodal_table, stiffness
 from groundslab.model.combinations import list_combinations
 from groundslab.model.model import Model
+from groundslab.results.mirroring import make_result_mesh
 from groundslab.results.recovery import recover_fields
-from groundslab.results.result_mesh import make_result_mesh
 from groundslab.results.results import CombinationResult
 from groundslab.solvers import factorization
 from groundslab.solvers.solution import Solution

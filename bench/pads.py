@@ -20,8 +20,8 @@ from pathlib import Path
 from typing import Any
 
 import groundslab as gs
-from groundslab.design.basis.check import DesignCheck
-from groundslab.design.en1992_2023.checks.punching_demand import column_demands
+from groundslab.design.codes.en1992_2023.checks.punching_demand import column_demands
+from groundslab.design.rules.check import DesignCheck
 from groundslab.model.model import Model
 from groundslab.verification.analytic_pads import pad_by_aci318, pad_by_en1992_2004, pad_by_en1992_2023
 

@@ -34,7 +34,7 @@ from groundslab.fem.shape_functions import areas, q9
 from groundslab.meshing.sizing import Sources
 from groundslab.model.model import Model
 from groundslab.results.fields import PLATE_FIELDS
-from groundslab.results.mesh_results import PlateResult
+from groundslab.results.plate_result import PlateResult
 from groundslab.results.results import CombinationResult
 
 RESULTS = Path(__file__).parent / "random_slabs.json"

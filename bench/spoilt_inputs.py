@@ -301,9 +301,9 @@ def write_folder(chance: random.Random, to: Path, sound: Path) -> Path:
 
 def read_drawing(path: Path) -> None:
     """Survey a drawing, make a case of it and the report; raises the last refusal."""
-    from groundslab.case import dxf
-    from groundslab.case.dxf import survey
     from groundslab.errors import InputError
+    from groundslab.exchange import dxf
+    from groundslab.exchange.dxf import survey
 
     refusal = None
     try:

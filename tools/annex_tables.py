@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from groundslab.design.en1992.annex import ANNEXES, file_of
-from groundslab.design.eurocode2.annex_files import Table
+from groundslab.design.codes.en1992_2004.annex import ANNEXES, file_of
+from groundslab.design.codes.eurocode2.annex_files import Table
 from groundslab.model.loads.annexes import action_parameters
 
 #: Those looked through, which have columns of the first table.

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import groundslab as gs
-from groundslab.design.basis.check import DesignCheck
+from groundslab.design.rules.check import DesignCheck
 from groundslab.model.design.reinforcement import KEYS_OF_CODES
 from groundslab.model.model import Model
 

@@ -132,7 +132,7 @@ def test_modules_that_the_docs_name_are_there() -> None:
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
 def test_names_in_python_are_there(page: Path) -> None:
-    """Every name of the package with its dots, such as groundslab.design.tables.check_design, can be had."""
+    """Every name of the package with its dots, such as groundslab.views.tables.check_design, can be had."""
     text = page.read_text(encoding="utf-8")
     for name in set(
         re.findall(r"\bgroundslab((?:\.[a-z]\w*)+)(?![\w/-]|\.\w)", re.sub(r"\S+\.(?:json|toml)", "", text))

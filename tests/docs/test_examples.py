@@ -9,8 +9,8 @@ import pytest
 from groundslab.analysis.driver import solve
 from groundslab.case.casefile import load
 from groundslab.design.checks import check_design
-from groundslab.design.en1992_2023.checks.punching_demand import column_demands
-from groundslab.design.result_tables import tables_of
+from groundslab.design.codes.en1992_2023.checks.punching_demand import column_demands
+from groundslab.views.tables.result_tables import tables_of
 from helpers.paths import EXAMPLES
 
 #: Those whose default answer takes long are solved on large elements.

@@ -16,7 +16,7 @@ from numpydoc.validate import validate
 
 import groundslab
 from groundslab.case import casefile
-from groundslab.results import mesh_results, record
+from groundslab.results import plate_result, records
 from groundslab.results import results as results_module
 from groundslab.schema.base import Section
 
@@ -27,8 +27,8 @@ CHECKS = {
 }  # fmt: skip
 #: Classes that public functions return, beside those that have public names.
 RETURNED = (
-    *(getattr(mesh_results, name) for name in ("PlateResult", "ElementResult", "GroundResult")),
-    *(getattr(record, name) for name in ("Constants", "Step", "Certificate")),
+    *(getattr(plate_result, name) for name in ("PlateResult", "ElementResult", "GroundResult")),
+    *(getattr(records, name) for name in ("Constants", "Step", "Certificate")),
     *(getattr(results_module, name) for name in ("SupportResult", "Increment")),
     groundslab.errors.Issue,
 )
@@ -100,8 +100,8 @@ def solved() -> Any:
 
 EXAMPLES = [
     groundslab.load, groundslab.check, groundslab.solve, groundslab.save_results, groundslab.load_results,
-    groundslab.tables_of, groundslab.Results, mesh_results.PlateResult.value_at, mesh_results.PlateResult.element_at,
-    mesh_results.GroundResult.value_at,
+    groundslab.tables_of, groundslab.Results, plate_result.PlateResult.value_at, plate_result.PlateResult.element_at,
+    plate_result.GroundResult.value_at,
 ]  # fmt: skip
 
 

@@ -6,12 +6,12 @@ import re
 
 import pytest
 
-from groundslab.design.result_tables import tables_of
-from groundslab.design.tables.structure.walls import wall_limit_table
 from groundslab.model.combinations import list_combinations
 from groundslab.model.model import Model
 from groundslab.results.fields import PLATE_FIELDS, POINT_FIELDS
 from groundslab.results.results import Results
+from groundslab.views.tables.result_tables import tables_of
+from groundslab.views.tables.structure.walls import wall_limit_table
 from helpers.paths import DOCS
 
 PAGE = (DOCS / "results.md").read_text(encoding="utf-8")

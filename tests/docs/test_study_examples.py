@@ -10,7 +10,7 @@ import pytest
 
 from groundslab.analysis.driver import solve
 from groundslab.case.casefile import load
-from groundslab.design.en1992.materials import Concrete
+from groundslab.design.codes.en1992_2004.materials import Concrete
 from groundslab.study.definition import files
 from groundslab.study.evaluation.form import design_point, margin_of, values_of
 from groundslab.study.execution.variant import Worker

@@ -7,8 +7,8 @@ from collections.abc import Iterable
 
 import pytest
 
-from groundslab.design.basis.calculation import Step, with_numbers
-from groundslab.design.tables.table import Table
+from groundslab.design.rules.calculation import Step, with_numbers
+from groundslab.views.tables.table import Table
 
 #: What formulas call.
 NAMES = {"max": max, "min": min, "abs": abs} | {

@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from groundslab.design.demands.section_cuts import strip
-from groundslab.results.mesh_results import PlateResult
+from groundslab.results.plate_result import PlateResult
 
 
 class Cut(NamedTuple):

@@ -6,7 +6,7 @@ import numpy as np
 from scipy.spatial import KDTree
 
 from groundslab.arrays import Array, Integers
-from groundslab.results.mesh_results import PlateResult
+from groundslab.results.plate_result import PlateResult
 
 
 def nodes_at(plate: PlateResult, places: Array) -> Integers:

@@ -9,7 +9,7 @@ import numpy as np
 from groundslab.fem.load_vectors import nodal_area
 from groundslab.fem.mesh import Mesh
 from groundslab.results.fields import PLATE_FIELDS
-from groundslab.results.mesh_results import PlateResult
+from groundslab.results.plate_result import PlateResult
 from helpers.quads import mesh as crooked_mesh
 
 #: A function of x and y, or values at the nodes, or one value for all.

@@ -18,8 +18,8 @@ from groundslab.model.loads.load_types import PatchLoad, PointLoad, UniformLoad
 from groundslab.model.model import Model
 from groundslab.model.plate import Edges, Plate
 from groundslab.model.supports import plan_of_plate
-from groundslab.results.mesh_results import ElementResult, GroundResult, PlateResult
-from groundslab.results.record import Certificate, Constants, Step
+from groundslab.results.plate_result import ElementResult, GroundResult, PlateResult
+from groundslab.results.records import Certificate, Constants, Step
 from groundslab.results.results import CombinationResult, Comparison, Results
 
 LENGTH_X, LENGTH_Y = 9.6, 7.2

@@ -11,8 +11,8 @@ import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
-from groundslab.design.tables.table import Table, table_of
 from groundslab.errors import InputError
+from groundslab.views.tables.table import Table, table_of
 
 NUMBERS = st.floats(allow_nan=False)
 WORDS = st.text(st.characters(codec="utf-8"), max_size=12)

@@ -17,12 +17,12 @@ from hypothesis import strategies as st
 from groundslab.analysis.check import check
 from groundslab.analysis.driver import solve_combinations
 from groundslab.case.casefile import from_table, loads, starter
-from groundslab.design.result_tables import tables_of
 from groundslab.errors import GroundslabError, InputError, Issue
 from groundslab.geometry.plan import MOST_CHORDS
 from groundslab.model.consistency import estimate_elements
 from groundslab.model.model import Model
 from groundslab.model.shapes import Polygon
+from groundslab.views.tables.result_tables import tables_of
 from helpers.examples import examples
 
 pytestmark = pytest.mark.slow

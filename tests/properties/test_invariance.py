@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 
 from groundslab import Model, NoEquilibrium, check_design, solve
-from groundslab.design import punching
+from groundslab.design.codes.en1992_2004 import perimeter_demand
 from groundslab.design.demands import line_properties
-from groundslab.design.result_tables import tables_of
 from groundslab.results.results import CombinationResult, results_of
+from groundslab.views.tables.result_tables import tables_of
 from helpers.similar import move_validated, rescale
 from helpers.solve_once import solve_once
 
@@ -182,9 +182,9 @@ def test_columns_punch_alike_in_a_national_grid() -> None:
     here, by = slab("springs", mesh={"size": 0.5}), np.array(FAR_AWAY[1])
     plates = [solve(each).only.plate for each in (here, move_validated(here, FAR_AWAY[1]))]
     for x, y in ((0.2, 2.0), (0.2, 0.2), (3.0, 2.0)):
-        near = punching.RectangularColumn(x, y, 0.4, 0.4)
-        far = punching.RectangularColumn(x + by[0], y + by[1], 0.4, 0.4)
-        one, other = (punching.demand(p, c, 0.2, 1e5) for p, c in zip(plates, (near, far), strict=True))
+        near = perimeter_demand.RectangularColumn(x, y, 0.4, 0.4)
+        far = perimeter_demand.RectangularColumn(x + by[0], y + by[1], 0.4, 0.4)
+        one, other = (perimeter_demand.demand(p, c, 0.2, 1e5) for p, c in zip(plates, (near, far), strict=True))
         assert (other.u, other.V_Ed) == pytest.approx((one.u, one.V_Ed), rel=SAME)
         shapes = [line_properties.shape_of(each.perimeter.legs)[0] for each in (one, other)]
         assert shapes[0] == shapes[1]

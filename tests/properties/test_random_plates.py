@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from groundslab import Model, solve
-from groundslab.design.by_plate import results_by_plate
+from groundslab.design.demands.by_plate import results_by_plate
 
 GROUNDS: list[dict[str, Any]] = [
     {"kind": "winkler", "k": 2e7},

@@ -10,8 +10,8 @@ import pytest
 
 import groundslab as gs
 from groundslab.case import casefile
-from groundslab.case.reactions import ImportedReactions, read_reactions
 from groundslab.errors import Issue
+from groundslab.exchange.reactions import ImportedReactions, read_reactions
 from helpers import damaged_workbooks
 from helpers.reactions import BY_HAND, CASE, ETABS, RFEM, write_case, write_table, write_workbook
 

@@ -14,9 +14,8 @@ from hypothesis import strategies as st
 
 import groundslab as g
 from groundslab.analysis.driver import Variants
-from groundslab.design import punching, tilt
-from groundslab.design.demands import design_moments, section_cuts
-from groundslab.design.en1992 import bending, materials
+from groundslab.design.codes.en1992_2004 import bending, materials, perimeter_demand
+from groundslab.design.demands import design_moments, section_cuts, tilt
 from groundslab.results.fields import PLATE_FIELDS
 from groundslab.results.results import CombinationResult
 from groundslab.verification import analytic
@@ -101,9 +100,9 @@ def as_floats(value: Any) -> Any:
     return float(value) if type(value) is int else value
 
 
-def _punching(x: float, y: float, width: float, d: float, force: float) -> punching.Punching:
-    column = punching.RectangularColumn(x, y, width, width)
-    return punching.demand(solved().plate, column, d, force, 1000, 1)
+def _punching(x: float, y: float, width: float, d: float, force: float) -> perimeter_demand.Punching:
+    column = perimeter_demand.RectangularColumn(x, y, width, width)
+    return perimeter_demand.demand(solved().plate, column, d, force, 1000, 1)
 
 
 def _required(m: Any, d: Any, d_2: Any, t: Any) -> bending.Reinforcement:

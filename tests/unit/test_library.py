@@ -13,9 +13,9 @@ import numpy as np
 import pytest
 
 import groundslab as gs
-from groundslab.design.tables.table import table_of
 from groundslab.errors import InputError
 from groundslab.views.summary import environment
+from groundslab.views.tables.table import table_of
 from helpers import synthetic
 from helpers.paths import ROOT
 

@@ -13,7 +13,7 @@ from groundslab.accuracy.values import estimate_error
 from groundslab.arrays import Array
 from groundslab.design.demands.perimeter_loads import loads_near, punching_columns, punching_shear
 from groundslab.design.demands.perimeters import perimeter
-from groundslab.results.record import BeamResult
+from groundslab.results.records import BeamResult
 from groundslab.verification.analytic_beams import beam_on_springs
 
 #: A beam of 0.3 m by 0.6 m of concrete [N m2], and one that does not shear.

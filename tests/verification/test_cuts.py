@@ -14,8 +14,8 @@ import pytest
 from shapely import Polygon, box
 
 from groundslab.analysis.driver import solve
+from groundslab.design.codes.en1992_2004.perimeter_demand import RectangularColumn, demand
 from groundslab.design.demands.section_cuts import strip
-from groundslab.design.punching import RectangularColumn, demand
 from groundslab.fem import load_vectors
 from groundslab.fem.mesh import Mesh
 from groundslab.model.ground import Pasternak, SoilLayer, Vlasov, Winkler

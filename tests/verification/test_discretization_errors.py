@@ -19,8 +19,8 @@ from groundslab.fem.problem import plate_unknowns
 from groundslab.fem.shape_functions import determinants, gauss, q9
 from groundslab.model.combinations import case_factors, list_combinations
 from groundslab.model.model import Model
+from groundslab.results.mirroring import make_result_mesh
 from groundslab.results.recovery import own_forces, recover_fields
-from groundslab.results.result_mesh import make_result_mesh
 from groundslab.results.results import CombinationResult
 from groundslab.solvers import factorization
 from groundslab.solvers.solution import Solution

@@ -11,9 +11,9 @@ import pytest
 
 from groundslab import Model, NoEquilibrium, solve
 from groundslab.analysis.driver import solve_combinations
-from groundslab.design.by_plate import results_by_plate
-from groundslab.design.result_tables import tables_of
+from groundslab.design.demands.by_plate import results_by_plate
 from groundslab.results.results import CombinationResult, Results, results_of
+from groundslab.views.tables.result_tables import tables_of
 from helpers.solve_once import solve_once
 
 SOIL = [{"thickness": 3.0, "E": 20e6, "nu": 0.3}, {"thickness": 4.0, "E": 50e6, "nu": 0.25}]

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import groundslab as gs
-from groundslab.results.record import BeamResult
+from groundslab.results.records import BeamResult
 from groundslab.results.results import CombinationResult
 
 E, INERTIA, SHEAR_AREA = 30e9, 2e-3, 0.25

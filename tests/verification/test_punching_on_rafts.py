@@ -10,11 +10,11 @@ import pytest
 import shapely
 
 import groundslab as gs
-from groundslab.design.aci318.checks.two_way_demand import pile_two_way
-from groundslab.design.en1992.checks.governing_perimeters import demands, pile_demands
-from groundslab.design.en1992.checks.punching_demand import Demand
-from groundslab.design.punching import RoundColumn, demand
-from groundslab.design.tables.structure.columns import column_table
+from groundslab.design.codes.aci318.checks.two_way_demand import pile_two_way
+from groundslab.design.codes.en1992_2004.checks.governing_perimeters import demands, pile_demands
+from groundslab.design.codes.en1992_2004.checks.punching_demand import Demand
+from groundslab.design.codes.en1992_2004.perimeter_demand import RoundColumn, demand
+from groundslab.views.tables.structure.columns import column_table
 from helpers.solve_once import solve_once
 
 BARS = {"diameter": 0.020, "spacing": 0.150}
@@ -238,7 +238,7 @@ def test_the_largest_use_over_all_distances(x: float, y: float, openings: list[d
 
 def densely(results: gs.Results, demand: Demand) -> list[float]:
     """Return v_Ed / v_Rd at eighty distances up to 2 d."""
-    from groundslab.design.en1992.checks import governing_perimeters
+    from groundslab.design.codes.en1992_2004.checks import governing_perimeters
 
     site = governing_perimeters._sites(results.only, results.model)[(False, demand.name), False]
     uses = []

@@ -16,11 +16,11 @@ import pytest
 import shapely
 
 import groundslab as gs
-from groundslab.design.aci318.checks.two_way_demand import CriticalSection, TwoWay, critical_section, two_way
+from groundslab.design.codes.aci318.checks.two_way_demand import CriticalSection, TwoWay, critical_section, two_way
+from groundslab.design.codes.en1992_2004.checks.governing_perimeters import demands
+from groundslab.design.codes.en1992_2004.checks.punching_demand import Demands
+from groundslab.design.codes.en1992_2023.checks.punching_demand import column_demands
 from groundslab.design.demands import perimeter_loads
-from groundslab.design.en1992.checks.governing_perimeters import demands
-from groundslab.design.en1992.checks.punching_demand import Demands
-from groundslab.design.en1992_2023.checks.punching_demand import column_demands
 from helpers.solve_once import solve_once
 
 LENGTH_X, LENGTH_Y, H, K, UNIT_WEIGHT = 18.0, 10.0, 0.4, 40e6, 25e3

@@ -25,7 +25,7 @@ from groundslab.model.plate import Edges, Plate, Zone
 from groundslab.model.settings import Contact, Mesh
 from groundslab.model.shapes import Polygon
 from groundslab.results import patch_recovery, recovery
-from groundslab.results.result_mesh import make_result_mesh
+from groundslab.results.mirroring import make_result_mesh
 from groundslab.verification import analytic
 from helpers import quads
 

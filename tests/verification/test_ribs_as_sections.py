@@ -9,8 +9,8 @@ import pytest
 
 import groundslab as gs
 from groundslab.arrays import Array
-from groundslab.design.beam_bars import beam_needs, section_forces
-from groundslab.design.demands.beams_across import carried_across
+from groundslab.design.bars.beam_bars import beam_needs, section_forces
+from groundslab.design.demands.section_cuts import carried_across
 
 #: A strip of 1 m by 0.4 m under 150 kN/m, with a rib of 0.4 m by 0.4 m below it.
 B, T, Q = 1.0, 0.4, 150e3

@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 from groundslab import Model, NeutralEquilibrium, NoEquilibrium, solve
-from groundslab.design.by_plate import results_by_plate
-from groundslab.design.tilt import tilt
+from groundslab.design.demands.by_plate import results_by_plate
+from groundslab.design.demands.tilt import tilt
 from groundslab.results.results import CombinationResult
 
 K0, K1 = 20e6, 45e6

@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 
 import groundslab as gs
-from groundslab.design.result_tables import tables_of
 from groundslab.model.remarks.remarks import find_remarks
-from groundslab.results.record import BeamResult
+from groundslab.results.records import BeamResult
 from groundslab.results.results import CombinationResult
+from groundslab.views.tables.result_tables import tables_of
 
 E, INERTIA, TORSION, SHEAR_AREA = 30e9, 2e-3, 1e-3, 0.005
 G = E / 2.4

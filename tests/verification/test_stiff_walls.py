@@ -10,8 +10,8 @@ import pytest
 
 import groundslab as gs
 from groundslab.accuracy.judgment import judge
-from groundslab.design.result_tables import tables_of
 from groundslab.results.results import CombinationResult
+from groundslab.views.tables.result_tables import tables_of
 from helpers.solve_once import solve_once
 
 E, THICKNESS, HEIGHT = 30e9, 0.25, 3.0

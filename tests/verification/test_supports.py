@@ -12,7 +12,7 @@ from groundslab.analysis.driver import solve, solve_combinations
 from groundslab.errors import NoEquilibrium
 from groundslab.model.loads.load_cases import Combination
 from groundslab.model.model import Model
-from groundslab.results.record import Step
+from groundslab.results.records import Step
 from groundslab.results.results import CombinationResult
 from groundslab.solvers import factorization
 

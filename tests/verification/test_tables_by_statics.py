@@ -8,16 +8,16 @@ import numpy as np
 import pytest
 
 import groundslab
+from groundslab.design.codes.en1992_2004.bending import Axes, slab
+from groundslab.design.codes.en1992_2004.materials import Concrete, Steel
+from groundslab.design.codes.en1992_2004.perimeter_demand import RectangularColumn, demand
 from groundslab.design.demands.design_moments import wood_armer
-from groundslab.design.en1992.bending import Axes, slab
-from groundslab.design.en1992.materials import Concrete, Steel
-from groundslab.design.punching import RectangularColumn, demand
-from groundslab.design.result_tables import tables_of
-from groundslab.design.tables.envelopes import fields_of_envelope
-from groundslab.design.tables.table import Table
 from groundslab.errors import NoEquilibrium
 from groundslab.model.model import Model
 from groundslab.results.results import Results
+from groundslab.views.tables.envelopes import fields_of_envelope
+from groundslab.views.tables.result_tables import tables_of
+from groundslab.views.tables.table import Table
 
 MODEL = Model(
     title="A small raft",

@@ -9,7 +9,7 @@ import pytest
 from scipy.integrate import quad
 
 import groundslab as gs
-from groundslab.design.result_tables import tables_of
+from groundslab.views.tables.result_tables import tables_of
 
 #: Thickness of the strip [m], modulus of its springs [Pa/m], load per length of the wall [N/m], its thickness [m].
 H, K, Q, T = 0.5, 30e6, 200e3, 0.8

@@ -10,9 +10,9 @@ import pytest
 from shapely import LineString, Polygon
 
 import groundslab as gs
-from groundslab.design.basis.wall_ends import WallPunching, punching_walls
-from groundslab.design.en1992.checks.wall_ends import STEPS, wall_demands
-from groundslab.design.en1992.perimeters import openings
+from groundslab.design.codes.en1992_2004.checks.wall_ends import STEPS, wall_demands
+from groundslab.design.codes.en1992_2004.perimeters import openings
+from groundslab.design.rules.wall_ends import WallPunching, punching_walls
 from groundslab.fem import load_vectors
 from groundslab.fem.mesh import Mesh
 from groundslab.results.results import CombinationResult, Results

@@ -18,9 +18,9 @@ from groundslab.fem.system import surface_settlement
 from groundslab.model.model import Model
 from groundslab.results.balance.beam_forces import squared_errors
 from groundslab.results.balance.forces import pressing_forces, resistance
+from groundslab.results.mirroring import ResultMesh
 from groundslab.results.patch_recovery import extrapolation
 from groundslab.results.recovery import MeshedFields, own_forces, own_membrane
-from groundslab.results.result_mesh import ResultMesh
 from groundslab.solvers.solution import Solution
 
 

@@ -17,7 +17,7 @@ from groundslab.arrays import Array
 from groundslab.fem.shape_functions import areas
 
 if TYPE_CHECKING:
-    from groundslab.results.mesh_results import PlateResult
+    from groundslab.results.plate_result import PlateResult
     from groundslab.results.results import CombinationResult
 
 #: So many combinations govern at most, those with the largest errors first.

@@ -19,7 +19,7 @@ import numpy as np
 from groundslab.accuracy.values import add_errors, error_of_contact_share, estimate_error, line_of_lift_off
 from groundslab.arrays import Array, Flags, made_once_by
 from groundslab.results.fields import PLATE_FIELDS, extreme_node, place_of
-from groundslab.results.record import BeamResult, LargestValues
+from groundslab.results.records import BeamResult, LargestValues
 
 if TYPE_CHECKING:
     from groundslab.results.results import CombinationResult

@@ -10,8 +10,8 @@ import numpy as np
 from groundslab.arrays import Array, Integers
 from groundslab.fem.mesh import Mesh, local_coordinates, locate_nearest
 from groundslab.fem.shape_functions import q9
+from groundslab.results.mirroring import ResultMesh
 from groundslab.results.recovery import MeshedFields
-from groundslab.results.result_mesh import ResultMesh
 
 if TYPE_CHECKING:
     from scipy.sparse import csr_array

@@ -17,7 +17,7 @@ from groundslab.model.remarks.singular_places import corners_of, near_places, ne
 
 if TYPE_CHECKING:
     from groundslab.model.model import Model
-    from groundslab.results.mesh_results import PlateResult
+    from groundslab.results.plate_result import PlateResult
 
 #: Values are judged so many thicknesses away from there.
 AWAY = 1.0

@@ -12,7 +12,7 @@ from groundslab.fem.hanging import find_hanging
 from groundslab.results.contact_zone import lifts_off_springs
 
 if TYPE_CHECKING:
-    from groundslab.results.mesh_results import PlateResult
+    from groundslab.results.plate_result import PlateResult
     from groundslab.results.results import CombinationResult, Comparison
 
 #: A mesh on which the energy norm falls by less has not begun to converge: no more is taken from the change.

@@ -25,7 +25,7 @@ from groundslab.model.ground import ContinuousGround
 from groundslab.model.model import Model
 from groundslab.model.settings import Mesh as Wanted
 from groundslab.results.fields import PLATE_FIELDS
-from groundslab.results.record import MeshEnd, MeshHistory
+from groundslab.results.records import MeshEnd, MeshHistory
 from groundslab.results.results import CombinationResult, Results
 
 Kept = TypeVar("Kept")

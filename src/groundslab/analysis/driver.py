@@ -24,7 +24,7 @@ from groundslab.model.combinations import as_solved, list_combinations
 from groundslab.model.loads.load_cases import Combination
 from groundslab.model.model import Model
 from groundslab.model.plan_origin import move_to_center
-from groundslab.results.record import Step
+from groundslab.results.records import Step
 from groundslab.results.results import CombinationResult, Results, why_no_start
 from groundslab.schema.issues import require
 from groundslab.solvers import factorization

@@ -16,7 +16,7 @@ from groundslab.fem.problem import TOP, W
 from groundslab.fem.system import current_bearings, nodal_table, right_hand_side
 from groundslab.fem.vlasov import GAMMA_START, Soil
 from groundslab.results.balance.forces import decay_squared
-from groundslab.results.record import Step
+from groundslab.results.records import Step
 from groundslab.solvers import contact, warm_start
 from groundslab.solvers.contact import ContactProblem
 from groundslab.solvers.equilibrium import require_hold

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from groundslab.analysis.mesh_hierarchy import Level
 from groundslab.arrays import Array
 from groundslab.fem.system import System
-from groundslab.results.record import Step
+from groundslab.results.records import Step
 
 OnStep = Callable[[Step], None]
 

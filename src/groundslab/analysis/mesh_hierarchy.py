@@ -22,7 +22,7 @@ from groundslab.fem.system import System, build_system, stiffness
 from groundslab.model.model import Model
 from groundslab.model.settings import Mesh as Wanted
 from groundslab.results.balance.forces import exact_rigid_products
-from groundslab.results.result_mesh import ResultMesh, make_result_mesh
+from groundslab.results.mirroring import ResultMesh, make_result_mesh
 from groundslab.solvers import warm_start
 from groundslab.solvers.coarser_plate import CoarserPlate
 from groundslab.solvers.conditioning import NEARLY_RIGID, stiffness_ratio

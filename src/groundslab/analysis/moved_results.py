@@ -13,8 +13,8 @@ from groundslab.fem.continuum.pressed_cells import PressedCells
 from groundslab.geometry.plan import Place
 from groundslab.model.combinations import as_solved
 from groundslab.model.model import Model
-from groundslab.results.mesh_results import GroundResult, PlateResult
-from groundslab.results.record import BaseResult, BeamResult, JointResult, SupportResult
+from groundslab.results.plate_result import GroundResult, PlateResult
+from groundslab.results.records import BaseResult, BeamResult, JointResult, SupportResult
 from groundslab.results.results import CombinationResult, Comparison, Increment, Results
 
 WithNodes = TypeVar("WithNodes", PlateResult, GroundResult, SupportResult, JointResult, BeamResult, BaseResult)

@@ -21,7 +21,7 @@ from groundslab.fem.problem import W
 from groundslab.model.ground import ContinuousGround
 from groundslab.model.model import Model
 from groundslab.model.plates.joints import play_of
-from groundslab.results.record import Step
+from groundslab.results.records import Step
 from groundslab.solvers.conditioning import require_digits
 from groundslab.solvers.equilibrium import require_equilibrium
 from groundslab.solvers.solution import Solution

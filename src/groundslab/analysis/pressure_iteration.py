@@ -16,7 +16,7 @@ from groundslab.fem.continuum.cells import prolong
 from groundslab.fem.foundation import single
 from groundslab.fem.problem import TOP, Problem, settlement_by_loads_beside
 from groundslab.fem.system import System, current_bearings, nodal_table, right_hand_side
-from groundslab.results.record import Step
+from groundslab.results.records import Step
 from groundslab.solvers import bounded_forces
 from groundslab.solvers.bounded_forces import BoundedSolution
 from groundslab.solvers.coarser_plate import make_coarser_plate

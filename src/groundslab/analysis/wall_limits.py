@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import replace
 
 from groundslab.model.model import Model
-from groundslab.results.record import WallLimit
+from groundslab.results.records import WallLimit
 from groundslab.results.results import Results
 
 #: This share of a wall's stiffness is none. The mesh follows the wall all the same.

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     import argparse
     from collections.abc import Sequence
 
-    from groundslab.case.dxf.document import Layers
+    from groundslab.exchange.dxf.document import Layers
     from groundslab.model.loads.load_cases import Combination
     from groundslab.model.model import Model
 
@@ -204,7 +204,7 @@ def write_starter(options: argparse.Namespace) -> int:
 
 def convert_drawing(options: argparse.Namespace) -> int:
     """Make a case file from a drawing; an existing file is left alone."""
-    from groundslab.case import dxf as drawings
+    from groundslab.exchange import dxf as drawings
 
     layers, gap = _layers(options.layers), drawings.parse_gap(options.close_gaps)
     drawing = drawings.read(options.drawing, layers, options.unit, gap, options.union)
@@ -223,7 +223,7 @@ def _layers(pairs: Sequence[str]) -> Layers:
     """Return the layers that WHAT=NAME name, the others under their usual names."""
     from dataclasses import fields
 
-    from groundslab.case.dxf.document import Layers
+    from groundslab.exchange.dxf.document import Layers
     from groundslab.schema.wording import describe, listed, suggestion
 
     roles = [field.name for field in fields(Layers)]

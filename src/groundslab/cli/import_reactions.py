@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     import argparse
     from collections.abc import Iterator, Sequence
 
-    from groundslab.case.reactions import ImportedReactions
+    from groundslab.exchange.reactions import ImportedReactions
 
 #: Changes of one kind that are listed one by one.
 LISTED = 50
@@ -83,7 +83,7 @@ def _add_several(command: argparse.ArgumentParser, option: str, metavar: str, me
 
 def run(options: argparse.Namespace) -> int:
     """Print what a table of reactions changes in a case, and write the case if it was asked for."""
-    from groundslab.case.reactions import read_reactions
+    from groundslab.exchange.reactions import read_reactions
 
     imported = read_reactions(
         options.table,

@@ -326,7 +326,7 @@ def _verify(options: argparse.Namespace) -> int:
 
 def _print_history(error: NotConverged) -> None:
     """Print what did not converge, and how."""
-    from groundslab.results.record import Step
+    from groundslab.results.records import Step
 
     steps = [step for step in error.history if isinstance(step, Step)]
     console.print_stderr(f"error: {error.what} did not converge in {len(error.history)} steps; the last of them:")

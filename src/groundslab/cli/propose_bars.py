@@ -14,8 +14,8 @@ if TYPE_CHECKING:
     import argparse
     from collections.abc import Iterator
 
-    from groundslab.design.proposal.propose import BarProposal
-    from groundslab.design.punching_links.layout import LinkLayout
+    from groundslab.design.bars.proposal.propose import BarProposal
+    from groundslab.design.rules.punching_links.layout import LinkLayout
     from groundslab.model.design.bars import Bars, BarZone
     from groundslab.results.results import Results
     from groundslab.unit_systems import System
@@ -38,8 +38,8 @@ def run(options: argparse.Namespace) -> int:
     from dataclasses import replace
 
     from groundslab.case.editing.reinforcement import with_reinforcement
+    from groundslab.design.bars.proposal.propose import propose_bars
     from groundslab.design.checks import check_design
-    from groundslab.design.proposal.propose import propose_bars
 
     path = Path(options.case)
     results, text = _results(path)

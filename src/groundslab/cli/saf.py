@@ -27,7 +27,7 @@ def describe_import(parser: argparse.ArgumentParser) -> None:
 
 def import_file(options: argparse.Namespace) -> int:
     """Make a case file from a slab of a file; an existing file is left alone."""
-    from groundslab.case.saf import read_saf
+    from groundslab.exchange.saf import read_saf
 
     read = read_saf(options.file, options.slab)
     write_or_print(read.text, options.out)

@@ -1,1 +1,1 @@
-"""Values for design: design moments, reinforcement, punching, section cuts, tilt, envelopes."""
+"""Design: demands that know no code, the codes, the bars, and the checks that hold demands against resistances."""

@@ -26,8 +26,8 @@ from groundslab.geometry.plan import SAME_PLACE, format_place
 from groundslab.model.ground import ContinuousGround
 from groundslab.model.loads.load_types import SettlementLoad
 from groundslab.model.model import Model
-from groundslab.model.plates.further import shared_line
 from groundslab.model.plates.joints import play_of, stiffness_of
+from groundslab.model.plates.other_plates import shared_line
 from groundslab.model.supports import LineSupport, Pile, PointSupport
 
 #: Simpson's rule for the ends and the middle of a side: the share of its length that each node carries.

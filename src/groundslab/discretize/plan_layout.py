@@ -33,7 +33,7 @@ from groundslab.model.consistency import usual_size
 from groundslab.model.ground import ContinuousGround
 from groundslab.model.loads.beside import distances_beyond
 from groundslab.model.model import Model
-from groundslab.model.plates.further import first_sections
+from groundslab.model.plates.other_plates import first_sections
 from groundslab.model.settings import SIDES, Side
 from groundslab.model.structure.members import curved_beams
 from groundslab.model.structure.spans import paths_on_plates

@@ -15,8 +15,8 @@ from groundslab.model.loads.load_types import AnyLoad, SettlementLoad, is_zero
 from groundslab.model.loads.patterns import Move
 from groundslab.model.loads.placement import on_plate
 from groundslab.model.plate import Plate
-from groundslab.model.plates.further import FurtherPlate, bounds_of, list_plates, shared_line
 from groundslab.model.plates.joints import AnyJoint
+from groundslab.model.plates.other_plates import FurtherPlate, bounds_of, list_plates, shared_line
 from groundslab.model.plates.region import PlateRegion
 from groundslab.model.serviceability.cracking import Cracking
 from groundslab.model.settings import SIDES, Beyond, Contact, Mesh

@@ -29,8 +29,8 @@ from groundslab.model.loads.patterns import Move, Pattern, check_patterns, check
 from groundslab.model.loads.placement import check_load_columns, check_load_walls, check_point_loads, weights_of
 from groundslab.model.outputs import Output, Project, Report, check_output, check_wall_limits
 from groundslab.model.plate import Plate
-from groundslab.model.plates.further import AnyPlate, FurtherPlate, bounds_of, check_plates, list_plates
 from groundslab.model.plates.joints import Joint, check_joints
+from groundslab.model.plates.other_plates import AnyPlate, FurtherPlate, bounds_of, check_plates, list_plates
 from groundslab.model.reactions import Reactions, check_reactions
 from groundslab.model.serviceability.cracking import Cracking, check_cracking
 from groundslab.model.serviceability.long_term import LongTerm, scale_stiffnesses

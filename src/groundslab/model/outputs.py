@@ -9,7 +9,7 @@ from groundslab.languages import Language
 from groundslab.model.ground import POSITIVE, AnyGround, ContinuousGround
 from groundslab.model.loads.placement import on_plate
 from groundslab.model.plate import Plate
-from groundslab.model.plates.further import FurtherPlate, list_plates
+from groundslab.model.plates.other_plates import FurtherPlate, list_plates
 from groundslab.model.plates.region import PlateRegion
 from groundslab.model.shapes import Place
 from groundslab.model.structure.walls import Wall

@@ -10,7 +10,7 @@ from groundslab.geometry.plan import Plan, Ring, Segment, format_place
 from groundslab.model.axes.crossings import AtCrossing, AtCrossings
 from groundslab.model.ground import POSITIVE, AnyGround, ContinuousGround
 from groundslab.model.plate import Plate
-from groundslab.model.plates.further import FurtherPlate, first_sections, list_plates
+from groundslab.model.plates.other_plates import FurtherPlate, first_sections, list_plates
 from groundslab.model.shapes import Place
 from groundslab.schema.base import Check, Section
 from groundslab.schema.fields import Choice, ListOf, Number, Quantity, Text

@@ -27,7 +27,7 @@ from groundslab.fem.system import (
     surface_settlement,
 )
 from groundslab.results.balance.forces import bearing_forces, building_forces, resistance, tail_forces
-from groundslab.results.record import Certificate
+from groundslab.results.records import Certificate
 from groundslab.solvers.conditioning import plate_stiffness
 from groundslab.solvers.cracking import error_of_law
 from groundslab.solvers.solution import Solution

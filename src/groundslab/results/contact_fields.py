@@ -12,7 +12,7 @@ from groundslab.fem.shape_functions import areas, q9
 from groundslab.fem.system import plate_settlement
 from groundslab.results.balance.forces import ground_forces
 from groundslab.results.edge_forces import ground_shear, pressure_forces, split_contact_force
-from groundslab.results.result_mesh import ResultMesh
+from groundslab.results.mirroring import ResultMesh
 from groundslab.solvers.solution import Solution
 
 #: A node touches if so much of the cells around it does.

@@ -15,7 +15,7 @@ from groundslab.geometry.plan import FLAT, Place, Ring
 from groundslab.model.loads.acting import LineForce, PointForce
 from groundslab.model.model import Model
 from groundslab.model.plate import Plate
-from groundslab.model.plates.further import first_sections
+from groundslab.model.plates.other_plates import first_sections
 from groundslab.model.remarks.singular_places import near_places, singular_places
 
 if TYPE_CHECKING:

@@ -25,9 +25,9 @@ from groundslab.results.balance.building_forces import base_results
 from groundslab.results.balance.forces import resistance
 from groundslab.results.contact_fields import contact_fields
 from groundslab.results.fields import MEMBRANE
-from groundslab.results.mesh_results import ElementResult, GroundResult, PlateResult
-from groundslab.results.record import Certificate, Constants, JointResult, Step, SupportResult
-from groundslab.results.result_mesh import ResultMesh
+from groundslab.results.mirroring import ResultMesh
+from groundslab.results.plate_result import ElementResult, GroundResult, PlateResult
+from groundslab.results.records import Certificate, Constants, JointResult, Step, SupportResult
 from groundslab.results.results import CombinationResult, Comparison, Increment
 from groundslab.solvers.cracking import laws
 from groundslab.solvers.solution import Solution

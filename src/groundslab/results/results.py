@@ -12,8 +12,8 @@ from groundslab.errors import GroundslabError, InputError, Issue, NoEquilibrium,
 from groundslab.fem.parts.mesh_plan import MeshPlan
 from groundslab.messages import Message, words_in
 from groundslab.results.fields import PLATE_FIELDS
-from groundslab.results.mesh_results import ElementResult, GroundResult, PlateResult
-from groundslab.results.record import (
+from groundslab.results.plate_result import ElementResult, GroundResult, PlateResult
+from groundslab.results.records import (
     BaseResult,
     BeamResult,
     Certificate,

@@ -25,9 +25,9 @@ from groundslab.accuracy.judgment import SIZES, JudgedValue, judged_values
 from groundslab.accuracy.values import estimate_error, estimate_errors
 from groundslab.analysis import driver
 from groundslab.case import casefile
-from groundslab.design.beam_bars import beam_needs, section_forces
+from groundslab.design.bars.beam_bars import beam_needs, section_forces
+from groundslab.design.bars.wall_bars import wall_needs
 from groundslab.design.checks import DesignCheck, check_design
-from groundslab.design.wall_bars import wall_needs
 from groundslab.discretize.ground import ground_of, varies
 from groundslab.fem.vlasov import Soil
 from groundslab.model.ground import SoilLayer

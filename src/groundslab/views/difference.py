@@ -15,7 +15,7 @@ from groundslab.views.summary.combinations import Entry, entries
 
 if TYPE_CHECKING:
     from groundslab.arrays import Array
-    from groundslab.results.mesh_results import PlateResult
+    from groundslab.results.plate_result import PlateResult
 
 #: What is subtracted: all results, or those of one combination.
 Subtracted = Results | CombinationResult

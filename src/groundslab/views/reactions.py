@@ -13,7 +13,7 @@ from groundslab.unit_systems import System, unit_in
 from groundslab.units import format_number
 
 if TYPE_CHECKING:
-    from groundslab.results.record import SupportResult
+    from groundslab.results.records import SupportResult
     from groundslab.results.results import CombinationResult
 
 #: Digits of a number.

@@ -7,12 +7,12 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from groundslab.arrays import made_once
-from groundslab.design.result_tables import tables_of
-from groundslab.design.tables.table import WORDS, Column, Table
 from groundslab.languages import Translator, translator
 from groundslab.messages import Name, words_in
 from groundslab.model.names import names_of
 from groundslab.results.results import CombinationResult, Results
+from groundslab.views.tables.result_tables import tables_of
+from groundslab.views.tables.table import WORDS, Column, Table
 
 if TYPE_CHECKING:
     from groundslab.model.model import Model

@@ -29,8 +29,8 @@ from groundslab.analysis.mesh_hierarchy import MeshHierarchy
 from groundslab.fem.problem import BETA_X, BETA_Y, W
 from groundslab.fem.shape_functions import areas
 from groundslab.model.model import Model
+from groundslab.results.mirroring import ResultMesh, make_result_mesh
 from groundslab.results.recovery import expand, recover_fields
-from groundslab.results.result_mesh import ResultMesh, make_result_mesh
 from groundslab.results.results import CombinationResult, Comparison
 from groundslab.solvers import factorization
 from groundslab.solvers.solution import Solution

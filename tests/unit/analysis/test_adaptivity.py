@@ -20,8 +20,8 @@ from groundslab.discretize.plan_layout import Meshes
 from groundslab.fem.shape_functions import areas
 from groundslab.model.consistency import usual_size
 from groundslab.model.remarks.singular_places import near_singular, singular_places
-from groundslab.results.mesh_results import PlateResult
-from groundslab.results.record import Step
+from groundslab.results.plate_result import PlateResult
+from groundslab.results.records import Step
 from groundslab.results.results import CombinationResult, Results
 from groundslab.views.summary.discretization import coarse_words, round_up
 

@@ -15,7 +15,7 @@ from groundslab.analysis import driver
 from groundslab.analysis.tasks import task
 from groundslab.errors import NotCertified
 from groundslab.model.model import Model
-from groundslab.results.record import Certificate
+from groundslab.results.records import Certificate
 from groundslab.results.results import CombinationResult
 from groundslab.views.files import npz, results_folder
 

@@ -11,11 +11,11 @@ import pytest
 from groundslab.analysis.driver import solve
 from groundslab.case.casefile import to_toml
 from groundslab.cli.main import main
-from groundslab.design.result_tables import tables_of
 from groundslab.model.combinations import place_patterns
 from groundslab.model.model import Model
 from groundslab.views.files.results_folder import load_results, save_results
 from groundslab.views.scene.fields import scene_of
+from groundslab.views.tables.result_tables import tables_of
 
 pytestmark = pytest.mark.slow
 

@@ -15,7 +15,7 @@ from groundslab.analysis.tasks import run
 from groundslab.errors import NeutralEquilibrium
 from groundslab.fem.system import System
 from groundslab.model.model import Model
-from groundslab.results.record import Step
+from groundslab.results.records import Step
 from groundslab.results.results import Results
 from groundslab.solvers.direct.protocols import Solver
 from groundslab.solvers.factor_reuse import CachedFactorization, ConstrainedSystem

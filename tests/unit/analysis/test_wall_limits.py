@@ -9,10 +9,10 @@ import numpy as np
 import pytest
 
 import groundslab as gs
-from groundslab.design.result_tables import tables_of
 from groundslab.errors import InputError
 from groundslab.views.files import npz
 from groundslab.views.report.html import render_report
+from groundslab.views.tables.result_tables import tables_of
 
 WALL = {"name": "W", "thickness": 0.25, "height": 3.0, "points": [(-3.0, 0.0), (3.0, 0.0)]}
 

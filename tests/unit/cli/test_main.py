@@ -25,7 +25,7 @@ from groundslab.model.combinations import as_solved, list_combinations
 from groundslab.model.settings import Mesh
 from groundslab.model.structure.columns import Column
 from groundslab.model.supports import LineSupport, PointSupport
-from groundslab.results.record import MeshHistory
+from groundslab.results.records import MeshHistory
 from groundslab.results.results import Results, results_of
 from groundslab.views.files import npz, results_folder
 from groundslab.views.summary import progress

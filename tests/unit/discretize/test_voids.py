@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 
 from groundslab import CombinationResult, InputError, Model, solve
-from groundslab.design.result_tables import tables_of
 from groundslab.fem.shape_functions import areas
 from groundslab.results.results import results_of
 from groundslab.results.soil_profile import crossed_borders
@@ -16,6 +15,7 @@ from groundslab.study.definition.outputs import RequestedOutput, scalar_of
 from groundslab.views.files.vtk import plate_mesh
 from groundslab.views.summary import sections
 from groundslab.views.summary.json_summary import to_json
+from groundslab.views.tables.result_tables import tables_of
 
 CAVITY = {"x": (1.0, 2.0), "y": (-1.0, 1.0)}
 SHEAR = {"kind": "pasternak", "k0": 2e7, "k1": 1e7}

@@ -20,12 +20,12 @@ from groundslab import (
 )
 from groundslab.analysis.driver import solve
 from groundslab.case import casefile
-from groundslab.design.tables.structure.columns import column_table
 from groundslab.model.axes.crossings import name_of_crossing
 from groundslab.model.axes.drawn import drawn_axes
 from groundslab.model.axes.families import RayAxes, RingAxes, StraightAxes, count_on, crossings
 from groundslab.model.plan_origin import move_to_center
 from groundslab.schema.base import Section
+from groundslab.views.tables.structure.columns import column_table
 
 LETTERS = {"kind": "straight", "first": "A", "distances": "2 x 6 m, 4.5 m"}
 NUMBERS = {"kind": "straight", "first": "1", "distances": "5 m, 7 m", "angle": 90}

@@ -22,8 +22,8 @@ from groundslab.model.settings import Beyond, Mesh
 from groundslab.model.shapes import Rectangle
 from groundslab.results import recovery
 from groundslab.results.fields import ELEMENT_FIELDS, PLATE_FIELDS
-from groundslab.results.mesh_results import ElementResult
-from groundslab.results.result_mesh import make_result_mesh
+from groundslab.results.mirroring import make_result_mesh
+from groundslab.results.plate_result import ElementResult
 from groundslab.results.results import CombinationResult
 from groundslab.views.files import vtk
 

@@ -11,7 +11,7 @@ import groundslab
 from groundslab.discretize.ground import grounds_of
 from groundslab.fem.vlasov import Soil
 from groundslab.model.model import Model
-from groundslab.results.record import Constants
+from groundslab.results.records import Constants
 from groundslab.results.results import CombinationResult
 from groundslab.results.soil_profile import Profile, Stratum, profiles_of
 from helpers import synthetic

@@ -14,7 +14,7 @@ from rich.console import Console
 
 from groundslab import Model, solve
 from groundslab.errors import InputError
-from groundslab.results.record import MeshHistory
+from groundslab.results.records import MeshHistory
 from groundslab.results.results import CombinationResult, Comparison, results_of
 from groundslab.views.files import npz
 from groundslab.views.files.vtk import plate_mesh

@@ -14,8 +14,6 @@ from tests.helpers.paths import EXAMPLES
 
 from groundslab.analysis.driver import solve
 from groundslab.case.casefile import load
-from groundslab.design.result_tables import tables_of
-from groundslab.design.tables.table import WORDS
 from groundslab.languages import LANGUAGES, Language
 from groundslab.languages.catalogue import Catalogue
 from groundslab.results.results import Results
@@ -23,6 +21,8 @@ from groundslab.views import translation
 from groundslab.views.plots import plot
 from groundslab.views.report.html import render_report
 from groundslab.views.summary.terminal import print_summary
+from groundslab.views.tables.result_tables import tables_of
+from groundslab.views.tables.table import WORDS
 
 OTHERS: list[Language] = [language for language in LANGUAGES if language != "en"]
 #: Numbers as English writes them and the other languages do.

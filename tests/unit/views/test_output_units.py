@@ -15,8 +15,6 @@ import pytest
 from groundslab.analysis.driver import solve
 from groundslab.case.casefile import load, loads
 from groundslab.design.checks import check_design
-from groundslab.design.result_tables import tables_of
-from groundslab.design.tables.table import Table
 from groundslab.results.results import Results
 from groundslab.unit_systems import CUSTOMARY
 from groundslab.units import DIMENSIONS, NUMBER, QuantityError, parse
@@ -25,6 +23,8 @@ from groundslab.views.report.html import render_report
 from groundslab.views.scene.fields import scene_of
 from groundslab.views.summary.json_summary import json_text
 from groundslab.views.summary.terminal import print_summary
+from groundslab.views.tables.result_tables import tables_of
+from groundslab.views.tables.table import Table
 from groundslab.workbench.solver.summary import build_summary
 from helpers.combinations import few
 

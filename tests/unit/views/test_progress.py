@@ -7,7 +7,7 @@ from dataclasses import replace
 import pytest
 
 from groundslab.model.loads.load_cases import Combination
-from groundslab.results.record import Step
+from groundslab.results.records import Step
 from groundslab.views.summary.progress import INTERVAL, CombinationCount, in_file
 
 

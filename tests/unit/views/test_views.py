@@ -20,7 +20,7 @@ from rich.status import Status
 
 from groundslab.errors import GroundslabError, InputError
 from groundslab.results.fields import PLATE_FIELDS, POINT_FIELDS
-from groundslab.results.record import SupportResult
+from groundslab.results.records import SupportResult
 from groundslab.results.results import results_of
 from groundslab.units import UNITS, format_number
 from groundslab.views.files import npz, vtk

@@ -26,7 +26,7 @@ from groundslab.model.ground import Ground, Pasternak, Winkler
 from groundslab.model.loads.load_cases import Combination
 from groundslab.model.model import Model
 from groundslab.results.fields import extreme
-from groundslab.results.record import Constants
+from groundslab.results.records import Constants
 from groundslab.results.results import CombinationResult, Results
 from groundslab.schema.issues import require
 from groundslab.schema.wording import one_of, quote, suggestion

@@ -11,7 +11,7 @@ from groundslab.arrays import Array
 from groundslab.fem.mesh import Mesh, MeshLocations, interpolate, locate
 from groundslab.fem.shape_functions import derivatives, gauss, q9
 from groundslab.results.fields import PLATE_FIELDS
-from groundslab.results.mesh_results import PlateResult
+from groundslab.results.plate_result import PlateResult
 
 Place = tuple[float, float]
 

@@ -20,7 +20,7 @@ from groundslab.model.combinations import list_combinations
 from groundslab.model.ground import ContinuousGround
 from groundslab.model.loads.load_cases import Combination
 from groundslab.model.model import Model
-from groundslab.results.record import Step
+from groundslab.results.records import Step
 from groundslab.results.recovery import settlement_of
 from groundslab.solvers import factorization
 from groundslab.solvers.direct.protocols import Solver

@@ -18,7 +18,7 @@ from groundslab.model.ground import ContinuousGround
 from groundslab.model.loads.load_cases import Combination
 from groundslab.model.model import Model
 from groundslab.results.certificate import certificate, worst
-from groundslab.results.record import Step
+from groundslab.results.records import Step
 from groundslab.results.recovery import Recovered, expand, recover, recover_fields
 from groundslab.results.results import CombinationResult, Increment
 from groundslab.solvers.solution import Solution

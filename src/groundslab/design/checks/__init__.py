@@ -9,7 +9,6 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
 from groundslab.arrays import made_once
-from groundslab.design.basis.check import ORDER, DesignCheck, Status, in_units
 from groundslab.design.checks import (
     bearings,
     coarse_mesh,
@@ -17,15 +16,16 @@ from groundslab.design.checks import (
     equilibrium,
     fire,
     limits,
+    model_limits,
     provided,
-    reached,
     strength,
 )
 from groundslab.design.checks.ground import edge_force
 from groundslab.design.checks.one_way_shear import shear
-from groundslab.design.en1997 import checks as en1997
-from groundslab.design.floors import checks as floors
-from groundslab.design.floors import dowel_checks
+from groundslab.design.codes.en1997 import checks as en1997
+from groundslab.design.codes.floors import checks as floors
+from groundslab.design.codes.floors import dowel_checks
+from groundslab.design.rules.check import ORDER, DesignCheck, Status, in_units
 from groundslab.messages import Message, counted, joined
 from groundslab.model.names import names_of
 from groundslab.model.remarks.remarks import find_remarks
@@ -58,7 +58,7 @@ CHECKS: tuple[Callable[[Results], Iterable[DesignCheck]], ...] = (
     en1997.checks,
     edge_force.checks,
     equilibrium.checks,
-    reached.checks,
+    model_limits.checks,
     bearings.checks,
     coarse_mesh.checks,
     displacements.checks,

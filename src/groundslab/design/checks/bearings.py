@@ -12,12 +12,12 @@ from collections.abc import Iterator
 import numpy as np
 
 from groundslab.arrays import Array
-from groundslab.design.basis.check import HELD_EDGE, DesignCheck, not_judged, some
-from groundslab.design.basis.combinations import solved_results
 from groundslab.design.checks.equilibrium import lies_under
 from groundslab.design.demands.loads.column_loads import acting_inside, factored_sums
 from groundslab.design.demands.perimeters import outline
 from groundslab.design.demands.support_forces import NOTHING, pull_in_part, thirds
+from groundslab.design.rules.check import HELD_EDGE, DesignCheck, not_judged, some
+from groundslab.design.rules.combinations import solved_results
 from groundslab.fem.mesh import sides_on_boundary
 from groundslab.geometry.plan import FLAT
 from groundslab.messages import Message, Name

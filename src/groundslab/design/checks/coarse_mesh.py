@@ -9,8 +9,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from groundslab.accuracy.resolution import find_unresolved
-from groundslab.design.basis.check import DesignCheck
-from groundslab.design.basis.combinations import solved_results
+from groundslab.design.rules.check import DesignCheck
+from groundslab.design.rules.combinations import solved_results
 from groundslab.messages import Message
 from groundslab.model.design.floors import TR34Floor
 from groundslab.results.results import Results

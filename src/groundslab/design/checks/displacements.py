@@ -13,9 +13,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from groundslab.arrays import Array
-from groundslab.design.basis.check import DesignCheck
-from groundslab.design.basis.combinations import solved_results
-from groundslab.design.by_plate import split_by_plate
+from groundslab.design.demands.by_plate import split_by_plate
+from groundslab.design.rules.check import DesignCheck
+from groundslab.design.rules.combinations import solved_results
 from groundslab.messages import Message, Name
 from groundslab.results.results import CombinationResult, Results
 

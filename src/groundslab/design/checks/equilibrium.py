@@ -14,12 +14,12 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from groundslab.arrays import Array
-from groundslab.design.basis.calculation import MEGA, Step
-from groundslab.design.basis.check import GLUED, ROUNDING, UNSOLVED, DesignCheck, Status, not_judged, some
-from groundslab.design.basis.combinations import solved_results, ultimate_results
-from groundslab.design.by_plate import results_by_plate
+from groundslab.design.demands.by_plate import results_by_plate
 from groundslab.design.demands.loads import column_loads
 from groundslab.design.demands.perimeters import outline
+from groundslab.design.rules.calculation import MEGA, Step
+from groundslab.design.rules.check import GLUED, ROUNDING, UNSOLVED, DesignCheck, Status, not_judged, some
+from groundslab.design.rules.combinations import solved_results, ultimate_results
 from groundslab.messages import Message, Name, joined
 from groundslab.model.loads.load_cases import Combination
 from groundslab.results.fields import place_of

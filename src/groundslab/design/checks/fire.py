@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from groundslab.design.basis.check import DesignCheck
-from groundslab.design.basis.combinations import solved_results
-from groundslab.design.codes import code_of
+from groundslab.design.codes.registry import code_of
+from groundslab.design.rules.check import DesignCheck
+from groundslab.design.rules.combinations import solved_results
 from groundslab.results.results import Results
 
 

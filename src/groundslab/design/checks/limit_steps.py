@@ -10,11 +10,11 @@ from collections.abc import Iterator
 import numpy as np
 
 from groundslab.arrays import Array
-from groundslab.design.basis.calculation import Step
-from groundslab.design.tilt import AreaMeans, Sag
+from groundslab.design.demands.tilt import AreaMeans, Sag
+from groundslab.design.rules.calculation import Step
 from groundslab.messages import Message, Name
 from groundslab.results.fields import place_of
-from groundslab.results.mesh_results import PlateResult
+from groundslab.results.plate_result import PlateResult
 
 _MM, _K = 1e3, 1e3
 #: What a limit is compared with, as the last step before it calls it: its symbol by the keys of [limits].

@@ -1,7 +1,7 @@
 """Settlements, tilt and pressures against the limits of a case, over all combinations of serviceability.
 
-Tilt and angular distortion are those of `design/tilt`; the limits are the engineer's, such as those of EN 1997-1
-Annex H: an angular distortion (relative rotation) of 1/500 is acceptable for many structures.
+Tilt and angular distortion are those of `design/demands/tilt`; the limits are the engineer's, such as those of
+EN 1997-1 Annex H: an angular distortion (relative rotation) of 1/500 is acceptable for many structures.
 """
 
 from __future__ import annotations
@@ -16,19 +16,19 @@ import numpy as np
 
 from groundslab.accuracy.singularities import find_limits
 from groundslab.accuracy.values import error_of_contact_share
-from groundslab.design.basis.calculation import Step
-from groundslab.design.basis.check import NO_COMBINATION, ONE_COLUMN, DesignCheck, not_judged
-from groundslab.design.basis.combinations import solved_results, why_none
-from groundslab.design.basis.demand_errors import error_at_nodes, error_of, scaled
-from groundslab.design.by_plate import results_by_plate
 from groundslab.design.checks import limit_steps
+from groundslab.design.demands.by_plate import results_by_plate
 from groundslab.design.demands.edge_strip import spread_edge_force, strip_width
-from groundslab.design.tilt import area_means, deflections_between, settlement_differences, tilt
+from groundslab.design.demands.tilt import area_means, deflections_between, settlement_differences, tilt
+from groundslab.design.rules.calculation import Step
+from groundslab.design.rules.check import NO_COMBINATION, ONE_COLUMN, DesignCheck, not_judged
+from groundslab.design.rules.combinations import solved_results, why_none
+from groundslab.design.rules.demand_errors import error_at_nodes, error_of, scaled
 from groundslab.messages import Message, Name, quantity
 from groundslab.model.loads.load_cases import SERVICEABILITY
 from groundslab.model.plates.region import PlateRegion
 from groundslab.results.fields import extreme, extreme_node, place_of
-from groundslab.results.mesh_results import PlateResult
+from groundslab.results.plate_result import PlateResult
 from groundslab.results.results import CombinationResult, Results
 
 #: What is said of a largest pressure whose error is not known.

@@ -7,13 +7,13 @@ from collections.abc import Iterator
 import numpy as np
 
 from groundslab.arrays import Array
-from groundslab.design import required_bars
-from groundslab.design.basis.check import DesignCheck
-from groundslab.design.basis.combinations import solved_results
-from groundslab.design.basis.demand_errors import greatest_moments
-from groundslab.design.basis.design_code import DesignCode, no_rule
-from groundslab.design.codes import code_of
+from groundslab.design.bars import required_bars
+from groundslab.design.codes.registry import code_of
 from groundslab.design.demands.design_moments import design_moments
+from groundslab.design.rules.check import DesignCheck
+from groundslab.design.rules.combinations import solved_results
+from groundslab.design.rules.demand_errors import greatest_moments
+from groundslab.design.rules.design_code import DesignCode, no_rule
 from groundslab.messages import Clause, Message, Name
 from groundslab.model.design.laid_bars import laid_bars
 from groundslab.model.design.reinforcement import Reinforcement

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from groundslab.design.basis.check import DesignCheck, some
-from groundslab.design.basis.combinations import ultimate_results
-from groundslab.design.basis.wall_ends import forces_at_ends
 from groundslab.design.demands.perimeter_loads import punching_columns, punching_piles, rounding
 from groundslab.design.demands.zones.thicker_zones import zone_forces
+from groundslab.design.rules.check import DesignCheck, some
+from groundslab.design.rules.combinations import ultimate_results
+from groundslab.design.rules.wall_ends import forces_at_ends
 from groundslab.messages import Message
 from groundslab.results.results import Results
 

@@ -11,13 +11,13 @@ from functools import partial
 
 import numpy as np
 
-from groundslab.design import beam_bars, required_bars, wall_bars
-from groundslab.design.basis.check import GIVEN_SECTION, DesignCheck, not_judged, some
-from groundslab.design.basis.combinations import UNFACTORED, ultimate_results, why_none, without_partial_factors
-from groundslab.design.basis.demand_errors import error_of_ratio, scaled
-from groundslab.design.basis.design_code import DesignCode, no_rule
+from groundslab.design.bars import beam_bars, required_bars, wall_bars
 from groundslab.design.checks import pulling
-from groundslab.design.codes import code_of
+from groundslab.design.codes.registry import code_of
+from groundslab.design.rules.check import GIVEN_SECTION, DesignCheck, not_judged, some
+from groundslab.design.rules.combinations import UNFACTORED, ultimate_results, why_none, without_partial_factors
+from groundslab.design.rules.demand_errors import error_of_ratio, scaled
+from groundslab.design.rules.design_code import DesignCode, no_rule
 from groundslab.messages import Clause, Message, Name
 from groundslab.model.loads.load_cases import STRENGTH
 from groundslab.model.structure.beams import GivenSection

@@ -21,7 +21,7 @@ from groundslab.model.structure.beams import Beam, RibSection
 from groundslab.model.structure.lines import flat_line
 from groundslab.model.structure.walls import Wall
 from groundslab.model.supports import LineSupport
-from groundslab.results.record import BeamResult
+from groundslab.results.records import BeamResult
 
 if TYPE_CHECKING:
     from shapely.geometry.base import BaseGeometry

@@ -9,7 +9,7 @@ import numpy as np
 
 from groundslab.arrays import Array
 from groundslab.results.fields import DIRECTION, LAYERS, PLATE_FIELDS, PRINCIPAL
-from groundslab.results.mesh_results import PlateResult
+from groundslab.results.plate_result import PlateResult
 
 
 @dataclass(frozen=True, slots=True)

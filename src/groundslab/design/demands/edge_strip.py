@@ -20,12 +20,12 @@ from operator import attrgetter
 import numpy as np
 
 from groundslab.arrays import Array, Integers, made_once_by
-from groundslab.design.by_plate import farthest_from_edges, results_by_plate
+from groundslab.design.demands.by_plate import farthest_from_edges, results_by_plate
 from groundslab.fem.foundation import decay_length, interface_stack
 from groundslab.fem.mesh import sides_on_boundary
 from groundslab.fem.shape_functions import lagrange
 from groundslab.results.contact_zone import has_line_force
-from groundslab.results.mesh_results import PlateResult
+from groundslab.results.plate_result import PlateResult
 from groundslab.results.results import CombinationResult
 
 #: A layer without shear has so little of it that the ground's surface has a decay, as a share of the largest k1.

@@ -29,7 +29,7 @@ from groundslab.model.model import Model
 from groundslab.model.plates.region import PlateRegion
 from groundslab.model.structure.columns import Column
 from groundslab.model.supports import LineSupport
-from groundslab.results.record import SupportResult
+from groundslab.results.records import SupportResult
 from groundslab.results.results import CombinationResult, Results
 
 if TYPE_CHECKING:

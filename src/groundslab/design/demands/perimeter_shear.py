@@ -16,7 +16,7 @@ from groundslab.arrays import Array, Integers
 from groundslab.fem import load_vectors
 from groundslab.fem.mesh import Mesh, locate
 from groundslab.fem.shape_functions import q9, unique_integers
-from groundslab.results.mesh_results import PlateResult
+from groundslab.results.plate_result import PlateResult
 
 #: Straight pieces are no longer than this over the length that is averaged.
 PIECE = 1 / 8

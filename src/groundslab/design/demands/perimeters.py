@@ -24,7 +24,7 @@ from groundslab.fem.shape_functions import lagrange
 from groundslab.geometry.places import same_place
 from groundslab.geometry.rectangles import direction_at, rectangle_at
 from groundslab.messages import Message
-from groundslab.results.mesh_results import PlateResult
+from groundslab.results.plate_result import PlateResult
 
 if TYPE_CHECKING:
     from shapely import MultiPolygon, Polygon

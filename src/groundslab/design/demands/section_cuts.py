@@ -1,4 +1,4 @@
-"""Section lines through a plate, and design strips with the forces on straight cuts across them."""
+"""Section lines through a plate, design strips, and forces across their cuts: those of the plate, and of beams."""
 
 from __future__ import annotations
 
@@ -13,9 +13,11 @@ from groundslab.design.demands.design_moments import wood_armer
 from groundslab.design.demands.line_traversal import ON_LINE, Pieces, interpolation, is_continuous, pieces
 from groundslab.errors import InputError, Issue
 from groundslab.fem.mesh import Mesh
+from groundslab.geometry.plan import FLAT
 from groundslab.messages import Message
 from groundslab.results.fields import PLATE_FIELDS
-from groundslab.results.mesh_results import PlateResult
+from groundslab.results.plate_result import PlateResult
+from groundslab.results.results import CombinationResult
 
 
 @dataclass(frozen=True, slots=True)
@@ -264,3 +266,36 @@ def _samples(line: Pieces, goes_on: Flags, spacing: float | None) -> tuple[Integ
         piece.append(np.full(len(here), i))
         s.append(here)
     return np.concatenate(piece), np.concatenate(s)
+
+
+def carried_across(results: CombinationResult, starts: Array, ends: Array) -> Array:
+    """Return moments [N m] and shear forces [N] of beams and walls with a height across cuts (k,), (k, 2).
+
+    A cut goes from start to end (k, 2) [m], and the strip that it cuts to the left. A beam along t carries M t + T n
+    there, n to its left, of which the part along the strip bends it; where its forces jump at the cut, the mean of both
+    sides. Beams that end at a cut or run along it carry nothing across.
+    """
+    carried = np.zeros((len(starts), 2))
+    chord = FLAT * max(results.model.sides)
+    for beam, result in zip(results.model.members, results.beams, strict=True):
+        axis = np.array(beam.to_shapely(chord).coords)
+        steps = np.diff(axis, axis=0)
+        lengths = np.linalg.norm(steps, axis=1)
+        ways = np.concatenate([[0.0], np.cumsum(lengths)]) * (result.way[-1] / lengths.sum())
+        for number, (start, end) in enumerate(zip(starts, ends, strict=True)):
+            cut = end - start
+            forth = np.array([-cut[1], cut[0]]) / np.linalg.norm(cut)  # the strip's direction
+            side = (axis - start) @ forth
+            for piece in np.flatnonzero((side[:-1] < 0) != (side[1:] < 0)):
+                part = side[piece] / (side[piece] - side[piece + 1])
+                place = axis[piece] + part * steps[piece]
+                along = (place - start) @ cut / (cut @ cut)
+                way = ways[piece] + part * (ways[piece + 1] - ways[piece])
+                if not (0 <= along <= 1 and 0 < way < ways[-1]):
+                    continue
+                t = steps[piece] / lengths[piece]
+                here = result.at(np.array([way, way]))  # where they jump, on both sides
+                M, V, T = (float(each.mean()) for each in (here.moment, here.own_shear, here.torsion))
+                onwards = np.sign(t @ forth)
+                carried[number] += onwards * np.array([M * (t @ forth) + T * (np.array([-t[1], t[0]]) @ forth), V])
+    return carried

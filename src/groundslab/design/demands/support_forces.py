@@ -12,7 +12,7 @@ from groundslab.discretize.continuum.piles import pile_in_soil
 from groundslab.model.ground import ContinuousGround
 from groundslab.model.loads.load_cases import SERVICEABILITY
 from groundslab.model.supports import AnySupport, LineSupport, Pile
-from groundslab.results.record import SupportResult
+from groundslab.results.records import SupportResult
 from groundslab.results.results import CombinationResult
 
 #: A force above this share of a limit has reached it.

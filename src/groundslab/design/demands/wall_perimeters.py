@@ -23,7 +23,7 @@ from groundslab.fem.mesh import Mesh, locate
 from groundslab.fem.shape_functions import q9, unique_integers
 from groundslab.geometry.plan import FLAT
 from groundslab.model.structure.wall_ends import WallEnd, WallLeg
-from groundslab.results.mesh_results import PlateResult
+from groundslab.results.plate_result import PlateResult
 
 if TYPE_CHECKING:
     from shapely import MultiPolygon, Polygon

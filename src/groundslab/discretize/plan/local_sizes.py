@@ -16,7 +16,7 @@ from groundslab.meshing.sizing import Sources, along
 from groundslab.model.consistency import usual_size
 from groundslab.model.loads.acting import AreaPressure, PointForce, rings_of
 from groundslab.model.model import Model
-from groundslab.model.plates.further import AnyPlate
+from groundslab.model.plates.other_plates import AnyPlate
 from groundslab.model.remarks.singular_places import forces_without_footprint
 
 #: Places in a part that is refined are so many to a side of an element there.

@@ -10,7 +10,7 @@ from groundslab.model.design.reinforcement import CONCRETE, STEEL, ConcreteChoic
 from groundslab.model.ground import POSITIVE
 from groundslab.model.loads.load_cases import Combination, Combine, has_ultimate_combination
 from groundslab.model.plate import Plate
-from groundslab.model.plates.further import FurtherPlate, list_plates
+from groundslab.model.plates.other_plates import FurtherPlate, list_plates
 from groundslab.schema.base import Check, Section
 from groundslab.schema.fields import Number, Quantity
 from groundslab.schema.issues import RelativeIssue

@@ -22,7 +22,7 @@ from groundslab.geometry.plan import Ring
 from groundslab.model.design.bars import Bars
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.model.plate import Plate
-from groundslab.model.plates.further import FurtherPlate
+from groundslab.model.plates.other_plates import FurtherPlate
 from groundslab.model.plates.region import PlateRegion
 from groundslab.model.shapes import CHORD
 from groundslab.model.structure.columns import Column

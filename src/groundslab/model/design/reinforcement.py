@@ -12,7 +12,7 @@ from groundslab.model.design.restraint import Restraint
 from groundslab.model.ground import POSITIVE
 from groundslab.model.loads.annexes import AnnexName
 from groundslab.model.plate import Plate
-from groundslab.model.plates.further import FurtherPlate, list_plates
+from groundslab.model.plates.other_plates import FurtherPlate, list_plates
 from groundslab.model.plates.region import PlateRegion
 from groundslab.model.shapes import CHORD
 from groundslab.model.supports import check_names

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from groundslab.model.ground import AnyGround, carry_shear
 from groundslab.model.loads.load_types import AnyLoad, OnGround, presses_ground
 from groundslab.model.plate import Plate
-from groundslab.model.plates.further import AnyPlate, FurtherPlate, bounds_of
+from groundslab.model.plates.other_plates import AnyPlate, FurtherPlate, bounds_of
 from groundslab.model.plates.region import NO_PART, PlateRegion, get_plate_region
 from groundslab.model.settings import Beyond, Side
 from groundslab.model.varying_ground import SoilZone

@@ -19,7 +19,7 @@ from groundslab.model.loads.acting import AreaPressure, LineForce
 from groundslab.model.loads.lines import LineLoad, LineMoment
 from groundslab.model.loads.load_types import AnyLoad, Spread
 from groundslab.model.plate import Plate
-from groundslab.model.plates.further import AnyPlate, FurtherPlate, list_plates
+from groundslab.model.plates.other_plates import AnyPlate, FurtherPlate, list_plates
 from groundslab.model.plates.region import NO_PART, PlateRegion, get_plate_region, parts_on_plates
 from groundslab.model.structure.walls import Wall, place_walls
 from groundslab.schema.issues import RelativeIssue

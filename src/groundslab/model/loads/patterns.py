@@ -19,7 +19,7 @@ from groundslab.model.loads.load_cases import Combination, Combine, LoadCase, ch
 from groundslab.model.loads.load_types import PointLoad
 from groundslab.model.loads.placement import on_plate
 from groundslab.model.plate import Plate
-from groundslab.model.plates.further import FurtherPlate
+from groundslab.model.plates.other_plates import FurtherPlate
 from groundslab.model.plates.region import PlateRegion
 from groundslab.model.shapes import Place
 from groundslab.model.structure.columns import TURN, check_footprint

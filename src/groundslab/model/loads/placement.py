@@ -12,7 +12,7 @@ from groundslab.model.loads.acting import LineForce
 from groundslab.model.loads.lines import LineLoad, LineMoment
 from groundslab.model.loads.load_types import AnyLoad, PointLoad, SelfWeight, Spread
 from groundslab.model.plate import Plate
-from groundslab.model.plates.further import AnyPlate, FurtherPlate, list_plates
+from groundslab.model.plates.other_plates import AnyPlate, FurtherPlate, list_plates
 from groundslab.model.plates.region import NO_PART, PlateRegion, get_plate_region
 from groundslab.model.shapes import CHORD
 from groundslab.model.structure.beams import Beam, RectangularSection

@@ -16,7 +16,7 @@ from groundslab.geometry.plan import Segment
 from groundslab.model.loads.acting import LineForce, Pressure
 from groundslab.model.loads.clipping import LinePiece, clip_line
 from groundslab.model.plate import Plate
-from groundslab.model.plates.further import FurtherPlate
+from groundslab.model.plates.other_plates import FurtherPlate
 from groundslab.model.plates.region import PlateRegion, enclosing_line, get_plate_region
 
 if TYPE_CHECKING:

@@ -8,7 +8,7 @@ from typing import Annotated, ClassVar, Literal
 
 from groundslab.geometry.validity import TOO_CLOSE
 from groundslab.model.plate import Plate
-from groundslab.model.plates.further import FurtherPlate, bounds_of, list_plates, shared_line
+from groundslab.model.plates.other_plates import FurtherPlate, bounds_of, list_plates, shared_line
 from groundslab.schema.base import Check, Section
 from groundslab.schema.fields import ListOf, Quantity, Text
 from groundslab.schema.issues import RelativeIssue

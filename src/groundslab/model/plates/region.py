@@ -15,7 +15,7 @@ from groundslab.geometry.intersections import find_crossings
 from groundslab.geometry.places import same_place
 from groundslab.geometry.plan import Place, Segment
 from groundslab.geometry.regions import Region
-from groundslab.model.plates.further import AnyPlate, FurtherPlate, bounds_of, list_plates
+from groundslab.model.plates.other_plates import AnyPlate, FurtherPlate, bounds_of, list_plates
 from groundslab.model.shapes import CHORD
 
 if TYPE_CHECKING:

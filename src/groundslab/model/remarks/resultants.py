@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 
     from groundslab.geometry.plan import Place, Segment
     from groundslab.model.model import Model
-    from groundslab.model.plates.further import AnyPlate
+    from groundslab.model.plates.other_plates import AnyPlate
 
 #: A sum of forces below this, relative to the sum of their sizes, is nothing but rounding.
 BALANCED = 1e-6

@@ -16,7 +16,7 @@ from groundslab.model.loads.acting import LineForce, PointForce
 if TYPE_CHECKING:
     from groundslab.model.model import Model
     from groundslab.model.plate import Plate
-    from groundslab.model.plates.further import AnyPlate
+    from groundslab.model.plates.other_plates import AnyPlate
 
 #: Within so many thicknesses of them section forces are reported as means over a width.
 REACH = 1.0

@@ -12,7 +12,7 @@ import numpy as np
 from groundslab.geometry.plan import Place
 from groundslab.model.ground import POISSON, POSITIVE, AnyGround, ContinuousGround
 from groundslab.model.plate import Plate
-from groundslab.model.plates.further import AnyPlate, FurtherPlate, list_plates
+from groundslab.model.plates.other_plates import AnyPlate, FurtherPlate, list_plates
 from groundslab.model.structure.beams import STIFFNESS
 from groundslab.model.structure.columns import Column
 from groundslab.model.structure.frame_members import MemberSection

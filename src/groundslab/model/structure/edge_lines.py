@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 from groundslab.geometry.offsets import NoRoomError, counterclockwise, inset, parallel
 from groundslab.geometry.plan import Place, Ring, Segment
-from groundslab.model.plates.further import AnyPlate
+from groundslab.model.plates.other_plates import AnyPlate
 from groundslab.model.settings import SIDES
 from groundslab.model.shapes import AnyShape, Polygon
 from groundslab.schema.issues import FieldError, RelativeIssue

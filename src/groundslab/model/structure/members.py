@@ -13,8 +13,8 @@ from itertools import pairwise
 from groundslab.geometry.plan import FLAT, Ring
 from groundslab.geometry.validity import TOO_CLOSE, find_issues
 from groundslab.model.plate import Plate
-from groundslab.model.plates.further import AnyPlate, FurtherPlate, bounds_of, list_plates, shared_line
 from groundslab.model.plates.joints import AnyJoint
+from groundslab.model.plates.other_plates import AnyPlate, FurtherPlate, bounds_of, list_plates, shared_line
 from groundslab.model.plates.region import PlateRegion, get_plate_region
 from groundslab.model.structure.beams import Beam, RectangularSection
 from groundslab.model.structure.lines import SAME, part_of_line

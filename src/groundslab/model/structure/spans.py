@@ -9,7 +9,7 @@ from itertools import accumulate, pairwise
 
 from groundslab.geometry.plan import Segment
 from groundslab.geometry.validity import TOO_CLOSE
-from groundslab.model.plates.further import AnyPlate, FurtherPlate
+from groundslab.model.plates.other_plates import AnyPlate, FurtherPlate
 from groundslab.model.plates.region import NO_PART, PlateRegion, get_plate_region, parts_on_plates
 from groundslab.model.structure.beams import Beam, RibSection
 from groundslab.model.structure.lines import Path, part_of_line

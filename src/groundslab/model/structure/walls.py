@@ -12,7 +12,7 @@ from groundslab.geometry.offsets import parallel
 from groundslab.geometry.plan import Segment
 from groundslab.model.axes.crossings import AtCrossings
 from groundslab.model.ground import POISSON, POSITIVE
-from groundslab.model.plates.further import AnyPlate
+from groundslab.model.plates.other_plates import AnyPlate
 from groundslab.model.shapes import AnyShape
 from groundslab.model.structure.beams import STIFFNESS
 from groundslab.model.structure.edge_lines import WORDS, edge_line

@@ -16,7 +16,7 @@ from groundslab.geometry.nearest import nearest_distance
 from groundslab.model.loads.acting import borders_of
 from groundslab.model.model import Model
 from groundslab.model.remarks.singular_places import kinks_of_loads
-from groundslab.results.record import BeamResult
+from groundslab.results.records import BeamResult
 from groundslab.solvers.solution import Solution
 
 #: The parts of a span over an opening after which section forces are told.

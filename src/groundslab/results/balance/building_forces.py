@@ -9,7 +9,7 @@ from groundslab.discretize.building import bases_of, motion_stiffness
 from groundslab.fem.parts.building import FIELDS, Building
 from groundslab.fem.system import System, stiffness
 from groundslab.model.model import Model
-from groundslab.results.record import BaseResult
+from groundslab.results.records import BaseResult
 from groundslab.solvers import factorization
 from groundslab.solvers.contact import ContactProblem, constrain
 from groundslab.solvers.solution import Solution

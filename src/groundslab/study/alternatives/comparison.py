@@ -11,10 +11,9 @@ from groundslab.analysis.driver import solve
 from groundslab.case import casefile
 from groundslab.case.editing.case_text import CaseText
 from groundslab.case.editing.reinforcement import with_reinforcement
+from groundslab.design.bars.proposal.links import punching_links
+from groundslab.design.bars.proposal.propose import propose_bars
 from groundslab.design.checks import Design, check_design
-from groundslab.design.detailing.bar_quantities import bars
-from groundslab.design.proposal.links import punching_links
-from groundslab.design.proposal.propose import propose_bars
 from groundslab.errors import GroundslabError
 from groundslab.fem.shape_functions import areas
 from groundslab.messages import Message, Name
@@ -22,6 +21,7 @@ from groundslab.model.model import Model
 from groundslab.model.settings import ACCURACIES
 from groundslab.results.results import Results
 from groundslab.study.alternatives.proposals import Proposal, drop_panels, other_thicknesses
+from groundslab.views.tables.bar_quantities import bars
 
 AS_DRAWN = Proposal("as drawn", "The slab as it is drawn")
 BARS = Proposal("bars proposed", "The slab with bars that are proposed in place of its own")

@@ -11,8 +11,8 @@ import numpy as np
 
 from groundslab.case.editing import lengths
 from groundslab.case.editing.toml_values import Path, get_value
+from groundslab.design.bars.proposal.links import punching_links
 from groundslab.design.demands.perimeter_loads import footprint_of, thickness_at
-from groundslab.design.proposal.links import punching_links
 from groundslab.messages import Message, Name, series
 from groundslab.model.model import Model
 from groundslab.model.plates.region import get_plate_region

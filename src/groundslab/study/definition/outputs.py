@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal, NamedTuple
 import numpy as np
 
 from groundslab.accuracy.values import error_of_contact_share, error_of_largest, estimate_error
-from groundslab.design.by_plate import results_by_plate
+from groundslab.design.demands.by_plate import results_by_plate
 from groundslab.design.demands.design_moments import derive_field, fields_of, wood_armer
-from groundslab.design.tilt import largest_tilt
+from groundslab.design.demands.tilt import largest_tilt
 from groundslab.errors import InputError, Issue
 from groundslab.geometry.plan import format_place
 from groundslab.results.fields import LAYERS, PLATE_FIELDS, RANGED_FIELDS
@@ -298,8 +298,8 @@ def _derive(results: CombinationResult, name: str, fields: dict[str, Array], thi
 
 def _required_bars(results: CombinationResult, name: str, design: Any, thickness: Array) -> Array:
     """Return required areas of bars (n,) [m2/m] for design moments (n,)."""
-    from groundslab.design.bending import Axes, slab
-    from groundslab.design.codes import code_of
+    from groundslab.design.codes.registry import code_of
+    from groundslab.design.rules.bending import Axes, slab
 
     steel = results.model.reinforcement
     assert steel is not None

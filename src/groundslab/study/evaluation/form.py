@@ -8,20 +8,20 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from groundslab.design.tables.table import table_of
 from groundslab.errors import GroundslabError, InputError, Issue, NotConverged
 from groundslab.optional import import_optional
 from groundslab.schema.wording import describe, one_of, suggestion
 from groundslab.study.evaluation.samples import Input, Output, condition, read_samples, show_value
+from groundslab.views.tables.table import table_of
 
 if TYPE_CHECKING:
     from pathlib import Path
 
     from groundslab.arrays import Array
-    from groundslab.design.tables.table import Cell, Head, Table
     from groundslab.study.definition.setup import Limit, Setup
     from groundslab.study.evaluation.statistics import Estimate
     from groundslab.study.evaluation.study import Study
+    from groundslab.views.tables.table import Cell, Head, Table
 
 #: Step of the central differences, in standard deviations: large against the noise of a solution, small against what
 #: bends a limit state.

@@ -10,10 +10,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from groundslab.design.tables.table import Cell, Head, Table, table_of
 from groundslab.study.evaluation import sensitivity, statistics
 from groundslab.study.evaluation.samples import condition
 from groundslab.study.evaluation.statistics import LEVEL, Estimate
+from groundslab.views.tables.table import Cell, Head, Table, table_of
 
 if TYPE_CHECKING:
     from groundslab.arrays import Array, Integers

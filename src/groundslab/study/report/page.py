@@ -18,11 +18,11 @@ from groundslab.views.summary.terminal import error_text
 
 if TYPE_CHECKING:
     from groundslab.arrays import Array, Integers
-    from groundslab.design.tables.table import Cell as RawCell
-    from groundslab.design.tables.table import Table
     from groundslab.study.evaluation.form import Reliability
     from groundslab.study.evaluation.samples import Samples
     from groundslab.units import Unit
+    from groundslab.views.tables.table import Cell as RawCell
+    from groundslab.views.tables.table import Table
 
 HERE = Path(__file__).parent
 #: Of a longer table the page shows the first rows, the CSV file has all; and of one with more rows than the other

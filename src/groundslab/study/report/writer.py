@@ -17,9 +17,9 @@ from groundslab.study.report import page
 from groundslab.units import UNITS
 
 if TYPE_CHECKING:
-    from groundslab.design.tables.table import Table
     from groundslab.study.evaluation.form import Reliability
     from groundslab.study.evaluation.study import Study
+    from groundslab.views.tables.table import Table
 
 #: The folder within the study's, and the page in it.
 FOLDER, PAGE = "evaluation", "report.html"

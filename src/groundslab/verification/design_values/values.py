@@ -9,19 +9,19 @@ from typing import Any
 import numpy as np
 
 from groundslab.arrays import Array
-from groundslab.design.aci318 import bending as aci_bending
-from groundslab.design.aci318 import development
-from groundslab.design.aci318 import punching as aci_punching
-from groundslab.design.aci318 import shear as aci_shear
-from groundslab.design.aci318.materials import PHI_BENDING, PHI_SHEAR
-from groundslab.design.aci318.materials import Concrete as AciConcrete
-from groundslab.design.aci318.materials import Steel as AciSteel
+from groundslab.design.codes.aci318 import bending as aci_bending
+from groundslab.design.codes.aci318 import development
+from groundslab.design.codes.aci318 import punching as aci_punching
+from groundslab.design.codes.aci318 import shear as aci_shear
+from groundslab.design.codes.aci318.materials import PHI_BENDING, PHI_SHEAR
+from groundslab.design.codes.aci318.materials import Concrete as AciConcrete
+from groundslab.design.codes.aci318.materials import Steel as AciSteel
+from groundslab.design.codes.en1992_2004 import anchorage, bending, cracking, punching, shear
+from groundslab.design.codes.en1992_2004.annex import annex_of
+from groundslab.design.codes.en1992_2004.materials import Concrete, Steel
+from groundslab.design.codes.floors import resistance, strips, yield_lines
+from groundslab.design.codes.floors.yield_lines import Location
 from groundslab.design.demands.design_moments import wood_armer
-from groundslab.design.en1992 import anchorage, bending, cracking, punching, shear
-from groundslab.design.en1992.annex import annex_of
-from groundslab.design.en1992.materials import Concrete, Steel
-from groundslab.design.floors import resistance, strips, yield_lines
-from groundslab.design.floors.yield_lines import Location
 from groundslab.fem.concrete import cracked_section
 from groundslab.model.loads.en1990 import make_combinations
 from groundslab.model.loads.load_cases import Combine, LimitState, LoadCase

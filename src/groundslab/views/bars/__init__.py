@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from pathlib import Path
 
-from groundslab.design.proposal.links import punching_links
+from groundslab.design.bars.proposal.links import punching_links
 from groundslab.errors import InputError, Issue
 from groundslab.model.model import Model
 from groundslab.results.results import CombinationResult, Results

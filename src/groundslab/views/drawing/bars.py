@@ -10,12 +10,9 @@ from collections.abc import Callable, Iterator, Sequence
 import numpy as np
 
 from groundslab.arrays import Array
-from groundslab.design.detailing.bar_layout import BarSet, bar_sets
-from groundslab.design.detailing.bar_quantities import bars as bars_table
-from groundslab.design.detailing.bar_quantities import marked_links
-from groundslab.design.detailing.positions import U_SHAPE, Position, positions
-from groundslab.design.punching_links.layout import LinkLayout
-from groundslab.design.tables.table import Table, in_units
+from groundslab.design.bars.bar_layout import BarSet, bar_sets
+from groundslab.design.bars.positions import U_SHAPE, Position, positions
+from groundslab.design.rules.punching_links.layout import LinkLayout
 from groundslab.model.model import Model
 from groundslab.model.plates.region import get_plate_region
 from groundslab.unit_systems import System, bar_size, bars_at, in_system, unit_in
@@ -32,6 +29,9 @@ from groundslab.views.drawing.shapes import (
     plan_shapes,
     rings,
 )
+from groundslab.views.tables.bar_quantities import bars as bars_table
+from groundslab.views.tables.bar_quantities import marked_links
+from groundslab.views.tables.table import Table, in_units
 
 #: The layer with broken lines.
 BROKEN = "BAR_ZONES"

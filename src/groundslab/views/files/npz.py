@@ -17,8 +17,8 @@ from groundslab._version import __version__
 from groundslab.errors import InputError, Issue
 from groundslab.fem.continuum.pressed_cells import PressedCells
 from groundslab.fem.parts.mesh_plan import MeshPlan
-from groundslab.results.mesh_results import ElementResult, GroundResult, PlateResult
-from groundslab.results.record import (
+from groundslab.results.plate_result import ElementResult, GroundResult, PlateResult
+from groundslab.results.records import (
     BaseResult,
     BeamResult,
     Certificate,

@@ -8,12 +8,12 @@ from pathlib import Path
 import numpy as np
 
 from groundslab.arrays import Array, Integers
-from groundslab.case.saf.writing.forces import EdgeForces
-from groundslab.case.saf.writing.writer import write_model
+from groundslab.exchange.saf.writing.forces import EdgeForces
+from groundslab.exchange.saf.writing.writer import write_model
 from groundslab.geometry.plan import Segment
 from groundslab.model.model import Model
 from groundslab.model.shapes import Circle
-from groundslab.results.mesh_results import PlateResult
+from groundslab.results.plate_result import PlateResult
 from groundslab.results.results import CombinationResult, Results, results_of
 
 #: Stiffnesses that differ by less than this between combinations are one.

@@ -10,8 +10,8 @@ import numpy as np
 
 if TYPE_CHECKING:
     from groundslab.fem.continuum.pressed_cells import PressedCells
-    from groundslab.results.mesh_results import ElementResult, GroundResult, PlateResult
-    from groundslab.results.record import BaseResult, BeamResult, JointResult, SupportResult
+    from groundslab.results.plate_result import ElementResult, GroundResult, PlateResult
+    from groundslab.results.records import BaseResult, BeamResult, JointResult, SupportResult
     from groundslab.results.results import CombinationResult, Comparison, Increment
 
     Named: TypeAlias = SupportResult | JointResult | BeamResult | BaseResult

@@ -154,7 +154,7 @@ def write_beams(results: CombinationResult, path: Path) -> None:
 
 def write_envelope(combined: Results, path: Path) -> None:
     """Write the envelopes over all combinations at the plate's nodes; where no area of steel is enough it is NaN."""
-    from groundslab.design.tables.envelopes import fields_of_envelope
+    from groundslab.views.tables.envelopes import fields_of_envelope
 
     plate = next(iter(combined.results.values())).plate
     fields = {

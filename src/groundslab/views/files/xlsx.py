@@ -11,10 +11,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from groundslab._version import __version__
-from groundslab.design.tables.table import Table
 from groundslab.optional import import_optional
 from groundslab.results.results import CombinationResult, Results, results_of
 from groundslab.storage import atomic, checksums, ownership
+from groundslab.views.tables.table import Table
 from groundslab.views.translation import translated_tables
 
 if TYPE_CHECKING:

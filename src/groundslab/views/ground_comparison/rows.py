@@ -7,11 +7,11 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from groundslab.analysis.ground_comparison.figures import COMPARED_FIELDS, FIGURES
-from groundslab.design.tables.table import Table, in_units, table_of
 from groundslab.messages import Message, Name, words_in
 from groundslab.results.fields import PLATE_FIELDS
 from groundslab.unit_systems import in_system, unit_in
 from groundslab.units import UNITS, format_number
+from groundslab.views.tables.table import Table, in_units, table_of
 
 if TYPE_CHECKING:
     from groundslab.analysis.ground_comparison.comparison import GroundComparison

@@ -17,8 +17,8 @@ from groundslab.schema.wording import listed, quote, suggestion
 from groundslab.views.summary.json_summary import design, header, refusal, to_json
 
 if TYPE_CHECKING:
-    from groundslab.design.tables.table import Cell, Table
     from groundslab.results.results import Results
+    from groundslab.views.tables.table import Cell, Table
 
 
 def design_to_json(combined: Results) -> dict[str, Any]:
@@ -31,7 +31,7 @@ def tables_to_json(combined: Results, names: Collection[str] = ()) -> dict[str, 
 
     Raises InputError for a name that no table of these results has.
     """
-    from groundslab.design.result_tables import table_makers
+    from groundslab.views.tables.result_tables import table_makers
 
     makers = table_makers(combined)
     unknown = [name for name in dict.fromkeys(names) if name not in makers]

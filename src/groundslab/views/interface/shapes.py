@@ -10,9 +10,9 @@ from typing import Annotated, Any, Literal, NotRequired, TypeAlias
 from pydantic import Field, TypeAdapter
 from typing_extensions import TypedDict  # comes with pydantic, which asks for it before Python 3.12
 
-from groundslab.design.basis.check import Status
+from groundslab.design.rules.check import Status
 from groundslab.model.loads.load_cases import LimitState
-from groundslab.results.record import MeshEnd
+from groundslab.results.records import MeshEnd
 
 #: x and y in meters.
 Place: TypeAlias = Annotated[list[float], Field(min_length=2, max_length=2)]

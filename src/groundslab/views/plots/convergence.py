@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-    from groundslab.results.record import Step
+    from groundslab.results.records import Step
     from groundslab.views.plots.request import IterationHistory, PlotRequest
 
 #: Boxes of the curves [mm].

@@ -9,10 +9,9 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from groundslab.design.basis.combinations import ultimate_results
-from groundslab.design.envelope import envelope
-from groundslab.design.required_bars import bar_fields
-from groundslab.design.tables.quantities import nodal_values
+from groundslab.design.bars.required_bars import bar_fields
+from groundslab.design.demands.envelope import envelope
+from groundslab.design.rules.combinations import ultimate_results
 from groundslab.errors import InputError, Issue
 from groundslab.messages import Message, Name, counted
 from groundslab.results.contact_zone import contact_function, has_line_force, require_finite
@@ -23,6 +22,7 @@ from groundslab.views.difference import find_subtracted, transfer
 from groundslab.views.plots.contours import ColorScale, make_scale
 from groundslab.views.plots.request import PlotQuantity, PlottedCombination, require_element_fields
 from groundslab.views.plots.symbols import load_filter
+from groundslab.views.tables.quantities import nodal_values
 
 if TYPE_CHECKING:
     from groundslab.arrays import Array, Integers

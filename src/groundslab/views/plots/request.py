@@ -8,7 +8,7 @@ from typing import Any, Literal, get_args
 
 import numpy as np
 
-from groundslab.design.required_bars import bar_fields
+from groundslab.design.bars.required_bars import bar_fields
 from groundslab.errors import InputError, Issue, NotConverged
 from groundslab.messages import Message, Name, capitalized
 from groundslab.model.loads.load_cases import LimitState
@@ -24,7 +24,7 @@ from groundslab.results.fields import (
     STIFFNESS,
     ResultField,
 )
-from groundslab.results.record import Step
+from groundslab.results.records import Step
 from groundslab.results.results import CombinationResult, Results
 from groundslab.schema.wording import describe, listed, one_of, quote, suggestion
 from groundslab.unit_systems import System, unit_in

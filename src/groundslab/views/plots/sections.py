@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from groundslab.design.demands.section_cuts import SectionCut, cut_along
-from groundslab.design.tables.quantities import point_values
 from groundslab.errors import InputError, Issue
 from groundslab.geometry.plan import DRAWN_CHORD
 from groundslab.messages import Message, Name, counted, joined
@@ -18,6 +17,7 @@ from groundslab.views.plots import style, symbols
 from groundslab.views.plots.annotations import TitleLine, draw_title, said_of
 from groundslab.views.plots.panels import NOT_CERTIFIED
 from groundslab.views.plots.request import DOWNWARDS, PlotQuantity
+from groundslab.views.tables.quantities import point_values
 from groundslab.views.translation import words_of
 
 if TYPE_CHECKING:

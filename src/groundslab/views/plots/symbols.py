@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from groundslab.design.detailing.bar_layout import bar_sets
+from groundslab.design.bars.bar_layout import bar_sets
 from groundslab.fem.mesh import SIDES
 from groundslab.geometry.plan import DRAWN_CHORD
 from groundslab.model.axes.drawn import drawn_axes
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from groundslab.arrays import Array, Integers
     from groundslab.model.loads.load_types import AnyLoad
     from groundslab.model.model import Model
-    from groundslab.model.plates.further import AnyPlate
+    from groundslab.model.plates.other_plates import AnyPlate
 
     Entries = dict[str, Any]
 

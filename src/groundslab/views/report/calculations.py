@@ -7,14 +7,14 @@ from dataclasses import dataclass, replace
 from itertools import groupby
 from typing import TYPE_CHECKING, Literal
 
-from groundslab.design.basis.calculation import CONSTANTS, FUNCTIONS, SYMBOL
-from groundslab.design.tables.calculations import perimeters
-from groundslab.design.tables.table import Table
+from groundslab.design.rules.calculation import CONSTANTS, FUNCTIONS, SYMBOL
 from groundslab.messages import Message, Name, joined, words_in
 from groundslab.unit_systems import unit_in
 from groundslab.units import format_number
 from groundslab.views.report.drawings.perimeter_sketch import draw_sketch
 from groundslab.views.report.table_layout import split_symbol
+from groundslab.views.tables.calculations import perimeters
+from groundslab.views.tables.table import Table
 
 if TYPE_CHECKING:
     from markupsafe import Markup

@@ -6,7 +6,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from groundslab.messages import Message
-from groundslab.results.record import Certificate
+from groundslab.results.records import Certificate
 from groundslab.views.report import table_layout
 from groundslab.views.report.table_layout import Cell, TableHeader, TableLayout, drop_empty_columns, headers
 from groundslab.views.summary import combinations, sections

@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING, Any
 from groundslab._version import __version__
 from groundslab.case import casefile
 from groundslab.design.checks import check_design
-from groundslab.design.result_tables import table_makers, tables_of
 from groundslab.errors import InputError, Issue
 from groundslab.messages import Listed, Message, Name, joined
 from groundslab.model.ground import ContinuousGround
@@ -31,18 +30,19 @@ from groundslab.views.summary import combinations, sections
 from groundslab.views.summary.discretization import coarse_words, is_unknown, provisional_words
 from groundslab.views.summary.rows import SummarySection
 from groundslab.views.summary.terminal import between_text, error_text, shown_row, step_texts
+from groundslab.views.tables.result_tables import table_makers, tables_of
 from groundslab.views.translation import translator_of
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Mapping, Sequence
 
     from groundslab.analysis.ground_comparison.comparison import GroundComparison
-    from groundslab.design.tables.table import Table
     from groundslab.model.outputs import Chapter, Project
     from groundslab.results.results import CombinationResult, Results
     from groundslab.unit_systems import System
     from groundslab.views.summary.combinations import Entry, Extreme
     from groundslab.views.summary.rows import Row
+    from groundslab.views.tables.table import Table
 
 
 _VALUE = ("", "symbol", "#value", "unit", "#error")

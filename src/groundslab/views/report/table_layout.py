@@ -8,11 +8,11 @@ from itertools import pairwise, takewhile
 from operator import itemgetter
 from typing import Literal
 
-from groundslab.design.tables.table import Cell as RawCell
-from groundslab.design.tables.table import Table
 from groundslab.messages import Message
 from groundslab.units import format_number
 from groundslab.views.summary.terminal import error_text
+from groundslab.views.tables.table import Cell as RawCell
+from groundslab.views.tables.table import Table
 
 Kind = Literal["", "number", "good", "bad", "muted", "symbol", "words"]
 

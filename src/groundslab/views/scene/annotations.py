@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from groundslab.design.detailing.bar_layout import BarSet, bar_sets
+from groundslab.design.bars.bar_layout import BarSet, bar_sets
 from groundslab.unit_systems import bars_at
 from groundslab.views.reactions import support_reactions, wall_reactions
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from groundslab._version import __version__
-from groundslab.design.tables.quantities import nodal_values
 from groundslab.errors import InputError, Issue
 from groundslab.results.fields import LAYERS, LINE_FORCE, PLATE_FIELDS, RANGED_FIELDS
 from groundslab.results.results import CombinationResult, Results
@@ -24,6 +23,7 @@ from groundslab.views.scene.fields import (
 )
 from groundslab.views.scene.plan import plan_of
 from groundslab.views.summary import combinations
+from groundslab.views.tables.quantities import nodal_values
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence

@@ -8,8 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from groundslab._version import __version__
-from groundslab.design.required_bars import bar_fields
-from groundslab.design.tables.quantities import nodal_values
+from groundslab.design.bars.required_bars import bar_fields
 from groundslab.errors import GroundslabError
 from groundslab.model.plan_origin import plan_origin
 from groundslab.results.contact_zone import contact_function, goes_below_zero, has_line_force
@@ -20,11 +19,12 @@ from groundslab.views.scene.annotations import bars_of, reactions_of
 from groundslab.views.scene.binary import Blocks, Scene
 from groundslab.views.scene.plan import plan_of
 from groundslab.views.summary import combinations
+from groundslab.views.tables.quantities import nodal_values
 
 if TYPE_CHECKING:
     from groundslab.arrays import Array
     from groundslab.model.model import Model
-    from groundslab.results.mesh_results import PlateResult
+    from groundslab.results.plate_result import PlateResult
     from groundslab.results.results import CombinationResult, Results
     from groundslab.unit_systems import System
     from groundslab.views.summary.combinations import Entry

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from groundslab.model.model import Model
     from groundslab.model.outputs import OutputLine, OutputPoint, OutputStrip
     from groundslab.model.plate import Zone
-    from groundslab.model.plates.further import AnyPlate, FurtherPlate
+    from groundslab.model.plates.other_plates import AnyPlate, FurtherPlate
     from groundslab.model.structure.beams import Beam
     from groundslab.model.structure.columns import Column
     from groundslab.model.structure.walls import Wall

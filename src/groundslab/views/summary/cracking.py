@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from groundslab.design.tables.quantities import nodal_values
 from groundslab.fem.shape_functions import areas
 from groundslab.messages import Message
 from groundslab.results.fields import ELEMENT_FIELDS, STIFFNESS, extreme
 from groundslab.units import UNITS
 from groundslab.views.summary.rows import Row, SummarySection
+from groundslab.views.tables.quantities import nodal_values
 
 if TYPE_CHECKING:
     from groundslab.results.results import CombinationResult

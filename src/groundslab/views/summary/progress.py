@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from rich.console import Console
 
     from groundslab.model.loads.load_cases import Combination
-    from groundslab.results.record import Step
+    from groundslab.results.records import Step
 
 
 #: Shortest time between two lines in a file [s].

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from groundslab.model.ground import SoilLayer
     from groundslab.model.model import Model
     from groundslab.model.plate import Plate
-    from groundslab.results.record import SupportResult
+    from groundslab.results.records import SupportResult
     from groundslab.results.results import CombinationResult
 
 #: Of loads that are cut off at the plate's edge so many are shown.

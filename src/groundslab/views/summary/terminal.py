@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
     from groundslab.design.checks import Design, DesignCheck, Status
     from groundslab.languages import Translator
-    from groundslab.results.record import Step
+    from groundslab.results.records import Step
     from groundslab.results.results import CombinationResult, Results
     from groundslab.unit_systems import System
     from groundslab.views.summary.combinations import Entry, Extreme

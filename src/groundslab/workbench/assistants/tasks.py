@@ -26,7 +26,7 @@ from groundslab.workbench.assistants.confinement import (
 if TYPE_CHECKING:
     from groundslab.model.loads.load_cases import Combination
     from groundslab.model.model import Model
-    from groundslab.results.record import Step
+    from groundslab.results.records import Step
 
 #: Tells how a task goes on, in words.
 Tell = Callable[[str], None]

@@ -6,7 +6,7 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any, Literal
 
-from groundslab.case.ifc import IfcCase, list_slabs, read_ifc
+from groundslab.exchange.ifc import IfcCase, list_slabs, read_ifc
 from groundslab.workbench.checking.file_reader import FileKind, FileReader
 
 

@@ -26,7 +26,7 @@ class DrawingReader(FileReader):
 
     kind = FileKind(
         "a drawing", "a DXF drawing", "save only the layers that are needed in a separate file",
-        "save it again in the CAD program", ("ezdxf.filemanagement", "shapely", "groundslab.case.dxf.survey"), 30.0,
+        "save it again in the CAD program", ("ezdxf.filemanagement", "shapely", "groundslab.exchange.dxf.survey"), 30.0,
     )  # fmt: skip
 
     def survey(self, path: Path) -> dict[str, Any]:
@@ -49,7 +49,7 @@ class DrawingReader(FileReader):
 
 def survey_drawing(path: str) -> dict[str, Any]:
     """Return the unit and the layers of a drawing as data for the page, places as flat lists [m]."""
-    from groundslab.case.dxf.survey import survey
+    from groundslab.exchange.dxf.survey import survey
 
     content = survey(path)
     layers = [
@@ -75,7 +75,7 @@ def convert_drawing(
     path: str, layers: Mapping[str, str], unit: str | None, centered: bool, gap: str, union: bool = False
 ) -> ConvertedDrawing:
     """Return the case that a drawing's layers describe."""
-    from groundslab.case import dxf
+    from groundslab.exchange import dxf
 
     drawing = dxf.read(path, layers, unit, dxf.parse_gap(gap), union)
     if centered:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
-from groundslab.case.reactions import Choices, import_into
+from groundslab.exchange.reactions import Choices, import_into
 from groundslab.workbench.checking.file_reader import FileKind, FileReader
 
 #: Changes that the page lists.

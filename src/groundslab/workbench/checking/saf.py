@@ -38,14 +38,14 @@ class SafReader(FileReader):
 
 def survey_slabs(path: Path) -> list[dict[str, Any]]:
     """Return the slabs of a file as data for the page."""
-    from groundslab.case.saf import list_slabs
+    from groundslab.exchange.saf import list_slabs
 
     return [{"id": slab.name, **asdict(slab)} for slab in list_slabs(path)]
 
 
 def convert_slab(path: Path, slab: str) -> ConvertedSlab:
     """Return the case that a slab of a file is."""
-    from groundslab.case.saf import read_saf
+    from groundslab.exchange.saf import read_saf
 
     read = read_saf(path, slab)
     return ConvertedSlab(read.text, read.report_text())

@@ -15,8 +15,8 @@ from fastapi.responses import JSONResponse, RedirectResponse, Response, Streamin
 from fastapi.staticfiles import StaticFiles
 from pydantic import BaseModel, ConfigDict, Field
 
-from groundslab.case.reactions import Choices
 from groundslab.errors import InputError, Issue
+from groundslab.exchange.reactions import Choices
 from groundslab.languages import Language, page_messages
 from groundslab.model.model import json_schema
 from groundslab.workbench.editing import diagnostics

@@ -10,8 +10,8 @@ from pathlib import Path
 from typing import Any, Literal
 
 from groundslab.case import casefile
-from groundslab.case.reactions import Choices
 from groundslab.errors import InputError, Issue
+from groundslab.exchange.reactions import Choices
 from groundslab.workbench.checking.bounded_process import BoundedProcess
 from groundslab.workbench.checking.drawings import ConvertedDrawing, DrawingReader
 from groundslab.workbench.checking.reactions import ReactionPreview, ReactionReader

@@ -39,7 +39,7 @@ if TYPE_CHECKING:
     from groundslab.analysis.ground_comparison.comparison import GroundComparison
     from groundslab.model.loads.load_cases import Combination
     from groundslab.model.model import Model
-    from groundslab.results.record import Step
+    from groundslab.results.records import Step
     from groundslab.results.results import Results
     from groundslab.views.report.table_layout import TableLayout
 

@@ -11,17 +11,17 @@ from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
-from groundslab.design.result_tables import table_makers
-from groundslab.design.tables.errors import EXTREMES
 from groundslab.results.fields import LAYERS, RANGED_FIELDS
 from groundslab.views.report import content, table_layout
 from groundslab.views.report.table_layout import Cell, TableHeader, TableLayout
 from groundslab.views.summary import combinations
 from groundslab.views.summary.discretization import discretization_section
+from groundslab.views.tables.errors import EXTREMES
+from groundslab.views.tables.result_tables import table_makers
 
 if TYPE_CHECKING:
-    from groundslab.design.tables.table import Table
     from groundslab.results.results import Results
+    from groundslab.views.tables.table import Table
 
 #: Columns whose cells name an item of the case, and the list that it stands in.
 ITEMS = {

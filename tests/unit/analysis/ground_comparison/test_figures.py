@@ -16,7 +16,7 @@ from groundslab.analysis.ground_comparison.figures import (
     rms_differences,
     sample,
 )
-from groundslab.results.mesh_results import PlateResult
+from groundslab.results.plate_result import PlateResult
 from helpers import synthetic
 
 

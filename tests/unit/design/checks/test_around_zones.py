@@ -11,23 +11,23 @@ import pytest
 from shapely import box
 
 import groundslab as gs
-from groundslab.design.aci318.checks import two_way, two_way_steps
-from groundslab.design.aci318.checks.two_way_demand import two_way as column_two_way
-from groundslab.design.aci318.checks.two_way_demand import zone_two_way
-from groundslab.design.basis.check import DesignCheck
+from groundslab.design.bars.proposal.links import punching_links
+from groundslab.design.codes.aci318.checks import two_way, two_way_steps
+from groundslab.design.codes.aci318.checks.two_way_demand import two_way as column_two_way
+from groundslab.design.codes.aci318.checks.two_way_demand import zone_two_way
+from groundslab.design.codes.en1992_2004.checks import punching, punching_steps
+from groundslab.design.codes.en1992_2004.checks.governing_perimeters import demands, zone_demands
+from groundslab.design.codes.en1992_2004.perimeters import share_of_thinner
+from groundslab.design.codes.en1992_2023.checks import punching as second_generation
+from groundslab.design.codes.en1992_2023.checks import punching_steps as second_generation_steps
+from groundslab.design.codes.en1992_2023.checks.punching_demand import column_demands
+from groundslab.design.codes.en1992_2023.checks.punching_demand import zone_demands as second_zone_demands
 from groundslab.design.demands.zones.thicker_zones import zone_forces
 from groundslab.design.demands.zones.thinner_slab import ThinnerPart
-from groundslab.design.en1992.checks import punching, punching_steps
-from groundslab.design.en1992.checks.governing_perimeters import demands, zone_demands
-from groundslab.design.en1992.perimeters import share_of_thinner
-from groundslab.design.en1992_2023.checks import punching as second_generation
-from groundslab.design.en1992_2023.checks import punching_steps as second_generation_steps
-from groundslab.design.en1992_2023.checks.punching_demand import column_demands
-from groundslab.design.en1992_2023.checks.punching_demand import zone_demands as second_zone_demands
-from groundslab.design.proposal.links import punching_links
-from groundslab.design.result_tables import table_makers
+from groundslab.design.rules.check import DesignCheck
 from groundslab.model.model import Model
 from groundslab.results.results import Results
+from groundslab.views.tables.result_tables import table_makers
 from helpers import synthetic
 from helpers.calculations import follow_steps
 from helpers.synthetic import LENGTH_X, LENGTH_Y

@@ -8,15 +8,15 @@ from typing import Any
 import numpy as np
 import pytest
 
-from groundslab.design.basis.combinations import ultimate_results
+from groundslab.design.bars.required_bars import bar_fields, largest_areas, required_areas
 from groundslab.design.checks import DesignCheck, check_design
-from groundslab.design.en1992 import cracking
-from groundslab.design.en1992.materials import Concrete, Steel
-from groundslab.design.required_bars import bar_fields, largest_areas, required_areas
-from groundslab.design.tables.envelopes import fields_of_envelope
+from groundslab.design.codes.en1992_2004 import cracking
+from groundslab.design.codes.en1992_2004.materials import Concrete, Steel
+from groundslab.design.rules.combinations import ultimate_results
 from groundslab.model.model import Model
 from groundslab.results.fields import BAR_FIELDS
 from groundslab.results.results import Results
+from groundslab.views.tables.envelopes import fields_of_envelope
 from helpers import synthetic
 from helpers.synthetic import LENGTH_X, LENGTH_Y
 

@@ -10,16 +10,16 @@ import numpy as np
 import pytest
 
 import groundslab as gs
-from groundslab.design.aci318.checks.two_way_demand import two_way
-from groundslab.design.basis.calculation import CONSTANTS, FUNCTIONS, Step, with_numbers
 from groundslab.design.checks import check_design
-from groundslab.design.en1992.checks.governing_perimeters import demands
-from groundslab.design.en1992.checks.punching_demand import Demand, Stress, outer
-from groundslab.design.en1992_2023.checks.punching_demand import column_demands
-from groundslab.design.result_tables import table_makers, tables_of
-from groundslab.design.tables.calculations import perimeters
-from groundslab.design.tables.table import Table
+from groundslab.design.codes.aci318.checks.two_way_demand import two_way
+from groundslab.design.codes.en1992_2004.checks.governing_perimeters import demands
+from groundslab.design.codes.en1992_2004.checks.punching_demand import Demand, Stress, outer
+from groundslab.design.codes.en1992_2023.checks.punching_demand import column_demands
+from groundslab.design.rules.calculation import CONSTANTS, FUNCTIONS, Step, with_numbers
 from groundslab.views.report.drawings.perimeter_sketch import tangents
+from groundslab.views.tables.calculations import perimeters
+from groundslab.views.tables.result_tables import table_makers, tables_of
+from groundslab.views.tables.table import Table
 from helpers.calculations import NAMES, follow
 from helpers.solve_once import solve_once
 

@@ -9,13 +9,13 @@ from typing import Any
 import numpy as np
 import pytest
 
-from groundslab.design.basis.wide_beam import cuts, same
 from groundslab.design.checks import DesignCheck, check_design
-from groundslab.design.result_tables import tables_of
+from groundslab.design.rules.wide_beam import cuts, same
 from groundslab.errors import InputError
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.model.model import Model
 from groundslab.results.results import Results
+from groundslab.views.tables.result_tables import tables_of
 from helpers import synthetic
 from helpers.synthetic import LENGTH_X, LENGTH_Y
 

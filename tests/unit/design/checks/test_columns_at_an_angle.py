@@ -9,12 +9,12 @@ import numpy as np
 import pytest
 
 import groundslab as gs
-from groundslab.design.aci318.checks.two_way_demand import TwoWay, two_way
-from groundslab.design.basis.wide_beam import cuts
 from groundslab.design.checks import check_design
+from groundslab.design.codes.aci318.checks.two_way_demand import TwoWay, two_way
+from groundslab.design.codes.en1992_2004.checks.governing_perimeters import demands
+from groundslab.design.codes.en1992_2023.checks.punching_demand import column_demands
 from groundslab.design.demands.perimeters import RectangularColumn
-from groundslab.design.en1992.checks.governing_perimeters import demands
-from groundslab.design.en1992_2023.checks.punching_demand import column_demands
+from groundslab.design.rules.wide_beam import cuts
 from helpers.solve_once import solve_once
 
 #: Perimeters have chords for arcs, shorter by 3e-5 at most, whose corners do not turn with the column.

@@ -14,18 +14,18 @@ import pytest
 from rich.console import Console
 
 from groundslab import Model, solve
-from groundslab.design.basis.check import DesignCheck
-from groundslab.design.basis.demand_errors import error_of_greatest
 from groundslab.design.checks import check_design
-from groundslab.design.en1992.checks import punching
-from groundslab.design.en1992.checks.punching_demand import Demand, Demands
-from groundslab.design.result_tables import tables_of
+from groundslab.design.codes.en1992_2004.checks import punching
+from groundslab.design.codes.en1992_2004.checks.punching_demand import Demand, Demands
+from groundslab.design.rules.check import DesignCheck
+from groundslab.design.rules.demand_errors import error_of_greatest
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.results import CombinationResult, Results
 from groundslab.views.report.html import render_report
 from groundslab.views.summary.discretization import coarse_words
 from groundslab.views.summary.json_summary import json_text
 from groundslab.views.summary.terminal import between_text, print_summary
+from groundslab.views.tables.result_tables import tables_of
 from helpers import synthetic
 from helpers.pages import page
 from helpers.solve_once import solve_once

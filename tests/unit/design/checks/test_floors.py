@@ -12,12 +12,12 @@ import pytest
 from groundslab.analysis.driver import solve
 from groundslab.design.checks import DesignCheck, check_design
 from groundslab.design.checks.one_way_shear import shear
-from groundslab.design.floors import yield_lines
-from groundslab.design.floors.acting_loads import Borders, forces, groups
-from groundslab.design.result_tables import tables_of
+from groundslab.design.codes.floors import yield_lines
+from groundslab.design.codes.floors.acting_loads import Borders, forces, groups
 from groundslab.errors import InputError
 from groundslab.model.model import Model
 from groundslab.results.results import CombinationResult, Results
+from groundslab.views.tables.result_tables import tables_of
 from helpers import synthetic
 from helpers.synthetic import LENGTH_X, LENGTH_Y
 

@@ -10,10 +10,10 @@ from shapely import Point, box
 
 import groundslab as gs
 from groundslab.design.checks import DesignCheck, check_design
-from groundslab.design.en1997.bearing import eccentricity, sliding_resistance
-from groundslab.design.result_tables import table_makers
+from groundslab.design.codes.en1997.bearing import eccentricity, sliding_resistance
 from groundslab.model.model import Model
 from groundslab.results.results import Results
+from groundslab.views.tables.result_tables import table_makers
 from helpers.calculations import follow, follow_steps
 
 DRAINED = {"phi": 32.0, "c": 5e3, "unit_weight": 18e3, "overburden": 9e3, "gamma_phi": 1.25, "gamma_c": 1.25}
@@ -109,7 +109,7 @@ def test_a_pad_with_a_large_eccentricity() -> None:
 
 def gs_area() -> Any:
     """Return a large effective area."""
-    from groundslab.design.en1997.bearing import EffectiveArea
+    from groundslab.design.codes.en1997.bearing import EffectiveArea
 
     return EffectiveArea(100.0, 10.0, 10.0)
 

@@ -10,10 +10,10 @@ import pytest
 
 import groundslab as gs
 from groundslab.design.checks import DesignCheck, check_design
-from groundslab.design.result_tables import table_makers
 from groundslab.errors import InputError
 from groundslab.model.model import Model
 from groundslab.results.results import Results
+from groundslab.views.tables.result_tables import table_makers
 from helpers import synthetic
 from helpers.calculations import follow, follow_steps
 from helpers.synthetic import LENGTH_X, LENGTH_Y

@@ -11,11 +11,11 @@ import pytest
 from groundslab.analysis.driver import solve
 from groundslab.cli.main import main
 from groundslab.design.checks import check_design
-from groundslab.design.result_tables import tables_of
 from groundslab.model.model import Model
 from groundslab.results.results import Results
 from groundslab.views.report.html import render_report
 from groundslab.views.summary.json_summary import json_text
+from groundslab.views.tables.result_tables import tables_of
 from helpers.pages import page
 
 #: A column of 600 kN in a case that the only combination leaves out.

@@ -14,7 +14,7 @@ from groundslab.design.checks import DesignCheck, check_design
 from groundslab.design.checks.one_way_shear.faces import bearers, pressing
 from groundslab.design.demands.edge_strip import line_force_share, spread_edge_force, strip_width
 from groundslab.model.model import Model
-from groundslab.results.record import Constants
+from groundslab.results.records import Constants
 from groundslab.results.results import Results
 from helpers import synthetic
 from helpers.calculations import follow_steps

@@ -5,11 +5,11 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from groundslab.design.aci318.checks import bars as aci_bars
-from groundslab.design.basis.combinations import why_none
 from groundslab.design.checks import check_design
-from groundslab.design.en1992 import cracking
-from groundslab.design.en1992.materials import Concrete, Steel
+from groundslab.design.codes.aci318.checks import bars as aci_bars
+from groundslab.design.codes.en1992_2004 import cracking
+from groundslab.design.codes.en1992_2004.materials import Concrete, Steel
+from groundslab.design.rules.combinations import why_none
 from groundslab.errors import InputError
 from groundslab.results.results import Results
 from helpers import synthetic

@@ -10,10 +10,10 @@ import numpy as np
 import pytest
 
 from groundslab.design.checks import DesignCheck, check_design
-from groundslab.design.result_tables import tables_of
 from groundslab.model.model import Model
-from groundslab.results.record import SupportResult
+from groundslab.results.records import SupportResult
 from groundslab.results.results import Results
+from groundslab.views.tables.result_tables import tables_of
 from helpers import synthetic
 from helpers.calculations import follow
 from helpers.synthetic import LENGTH_X, LENGTH_Y

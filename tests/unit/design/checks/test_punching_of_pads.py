@@ -9,10 +9,10 @@ import numpy as np
 import pytest
 
 import groundslab as gs
-from groundslab.design.basis.check import DesignCheck
 from groundslab.design.checks import check_design
 from groundslab.design.demands.perimeter_loads import footprint_of
 from groundslab.design.demands.perimeters import Openings, perimeter_at, surroundings
+from groundslab.design.rules.check import DesignCheck
 from groundslab.model.model import Model
 
 #: A column of 0.4 m carries 1.35 x 800 kN; the depth is 0.5 m less the mean of 60 and 80 mm.

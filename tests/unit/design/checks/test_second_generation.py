@@ -10,10 +10,10 @@ import numpy as np
 import pytest
 
 from groundslab.design.checks import DesignCheck, check_design
-from groundslab.design.en1992_2023.checks.punching_demand import column_demands
-from groundslab.design.result_tables import table_makers
+from groundslab.design.codes.en1992_2023.checks.punching_demand import column_demands
 from groundslab.model.model import Model
 from groundslab.results.results import Results
+from groundslab.views.tables.result_tables import table_makers
 from helpers import synthetic
 from helpers.synthetic import LENGTH_X, LENGTH_Y
 

@@ -11,16 +11,16 @@ import numpy as np
 import pytest
 from rich.console import Console
 
-from groundslab.design.basis.check import SUPPORT_INSIDE
+from groundslab.design.bars.required_bars import governing_needs
 from groundslab.design.checks import Design, DesignCheck, check_design
-from groundslab.design.en1992.annex import RECOMMENDED
-from groundslab.design.en1992.checks.governing_perimeters import demands
-from groundslab.design.en1992.materials import Concrete
-from groundslab.design.en1992.punching import max_resistance, resistance_without_links
-from groundslab.design.required_bars import governing_needs
+from groundslab.design.codes.en1992_2004.annex import RECOMMENDED
+from groundslab.design.codes.en1992_2004.checks.governing_perimeters import demands
+from groundslab.design.codes.en1992_2004.materials import Concrete
+from groundslab.design.codes.en1992_2004.punching import max_resistance, resistance_without_links
+from groundslab.design.rules.check import SUPPORT_INSIDE
 from groundslab.errors import GroundslabError, NotConverged, SingularMatrix
 from groundslab.model.model import Model
-from groundslab.results.record import SupportResult
+from groundslab.results.records import SupportResult
 from groundslab.results.results import Results
 from groundslab.views.report.html import render_report
 from groundslab.views.summary import terminal

@@ -9,8 +9,8 @@ from typing import Any
 import pytest
 
 import groundslab as gs
-from groundslab.design.basis.check import UNJUDGED, Unjudged
 from groundslab.design.checks import Design, check_design
+from groundslab.design.rules.check import UNJUDGED, Unjudged
 from groundslab.model.model import Model
 
 STEEL: dict[str, Any] = {"f_ck": "30 MPa", "f_yk": "500 MPa", "bottom": ["40 mm", "60 mm"], "top": ["40 mm", "60 mm"]}

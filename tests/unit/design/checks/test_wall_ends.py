@@ -9,14 +9,14 @@ from typing import Any
 import numpy as np
 import pytest
 
-from groundslab.design.aci318.checks import two_way, two_way_steps
-from groundslab.design.basis.check import DesignCheck
-from groundslab.design.en1992.checks import punching, punching_steps
-from groundslab.design.en1992_2023.checks import punching as second_generation
-from groundslab.design.result_tables import table_makers
-from groundslab.design.tables.table import Table
+from groundslab.design.codes.aci318.checks import two_way, two_way_steps
+from groundslab.design.codes.en1992_2004.checks import punching, punching_steps
+from groundslab.design.codes.en1992_2023.checks import punching as second_generation
+from groundslab.design.rules.check import DesignCheck
 from groundslab.model.model import Model
 from groundslab.results.results import Results
+from groundslab.views.tables.result_tables import table_makers
+from groundslab.views.tables.table import Table
 from helpers import synthetic
 from helpers.calculations import follow_steps
 from helpers.synthetic import LENGTH_X, LENGTH_Y

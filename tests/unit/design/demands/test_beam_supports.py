@@ -10,7 +10,7 @@ import pytest
 import groundslab as gs
 from groundslab.arrays import Array
 from groundslab.design.demands.beam_supports import Faces, faces_on, shear_forces
-from groundslab.results.record import BeamResult
+from groundslab.results.records import BeamResult
 
 L = 8.0
 

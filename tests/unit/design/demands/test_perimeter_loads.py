@@ -9,9 +9,9 @@ import pytest
 from shapely import box
 
 import groundslab as gs
+from groundslab.design.codes.en1992_2004.perimeter_demand import RectangularColumn, demand
 from groundslab.design.demands.loads.column_loads import acting_inside, shapes_around
 from groundslab.design.demands.loads.edge_lengths import edge_inside
-from groundslab.design.punching import RectangularColumn, demand
 from groundslab.fem.mesh import Mesh
 from groundslab.meshing.refinement import split
 from helpers.plates import parted, plate_of, straight

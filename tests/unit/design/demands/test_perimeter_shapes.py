@@ -8,11 +8,11 @@ from shapely import get_coordinates
 
 import groundslab as gs
 from groundslab.design.checks import check_design
+from groundslab.design.codes.en1992_2004 import punching as en1992
+from groundslab.design.codes.en1992_2004.checks.governing_perimeters import reduced_share
 from groundslab.design.demands.line_properties import course, cuts_strips
 from groundslab.design.demands.perimeters import RectangularColumn
-from groundslab.design.en1992 import punching as en1992
-from groundslab.design.en1992.checks.governing_perimeters import reduced_share
-from groundslab.design.result_tables import tables_of
+from groundslab.views.tables.result_tables import tables_of
 
 
 def legs(*points: tuple[float, float]) -> np.ndarray:

@@ -11,7 +11,7 @@ import pytest
 from groundslab.design.demands.line_properties import limited_straights, total_length
 from groundslab.design.demands.perimeter_shear import contraflexure, moment_lines, perimeter_shear
 from groundslab.design.demands.perimeters import Openings, RectangularColumn, perimeter_at, surroundings
-from groundslab.results.mesh_results import PlateResult
+from groundslab.results.plate_result import PlateResult
 from helpers import synthetic
 
 

@@ -5,6 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from groundslab.design.codes.en1992_2004.perimeters import face_length
+from groundslab.design.codes.en1992_2004.punching import raised
 from groundslab.design.demands.line_properties import centroid, moduli
 from groundslab.design.demands.perimeters import (
     Footprint,
@@ -15,8 +17,6 @@ from groundslab.design.demands.perimeters import (
     perimeter,
     surroundings,
 )
-from groundslab.design.en1992.perimeters import face_length
-from groundslab.design.en1992.punching import raised
 from groundslab.fem.mesh import Mesh
 from helpers.plates import parted, plate_of, straight, without
 

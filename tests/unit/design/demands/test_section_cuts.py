@@ -12,7 +12,7 @@ from groundslab.design.demands.design_moments import wood_armer
 from groundslab.design.demands.section_cuts import cut_along, strip
 from groundslab.errors import InputError
 from groundslab.results.fields import PLATE_FIELDS
-from groundslab.results.mesh_results import PlateResult
+from groundslab.results.plate_result import PlateResult
 from helpers.cuts import cut_plate
 from helpers.plates import crooked, parted, plate_of, straight, without
 

@@ -10,11 +10,11 @@ import pytest
 from shapely import Polygon, box
 
 from groundslab.arrays import Array
-from groundslab.design.basis.wall_ends import BETA
 from groundslab.design.demands.wall_perimeters import Course, course, loaded_area, wall_perimeters
+from groundslab.design.rules.wall_ends import BETA
 from groundslab.model.structure.wall_ends import WallEnd, wall_ends
 from groundslab.model.structure.walls import Wall
-from groundslab.results.mesh_results import PlateResult
+from groundslab.results.plate_result import PlateResult
 from helpers import synthetic
 
 #: The end of a wall after "Beispiele zur Bemessung nach DIN 1045-1", vol. 1: thickness and distance of the perimeter

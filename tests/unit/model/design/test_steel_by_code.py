@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from groundslab.design.aci318.bending import deepest_axis
-from groundslab.design.aci318.materials import Steel
+from groundslab.design.codes.aci318.bending import deepest_axis
+from groundslab.design.codes.aci318.materials import Steel
 from groundslab.errors import InputError
 from groundslab.model.design.reinforcement import Code, Reinforcement
 

@@ -7,7 +7,7 @@ from typing import Any, get_args
 import pytest
 
 from groundslab.case import casefile
-from groundslab.design.en1992.annex import ANNEXES
+from groundslab.design.codes.en1992_2004.annex import ANNEXES
 from groundslab.model.combinations import list_combinations
 from groundslab.model.loads.annexes import AnnexName, action_parameters, document_of
 from groundslab.model.loads.load_cases import NATIONAL, PSI, Combine

@@ -12,7 +12,6 @@ import pytest
 import groundslab as gs
 from groundslab.case import casefile
 from groundslab.cli import main
-from groundslab.design.tables.structure.walls import wall_table
 from groundslab.errors import InputError
 from groundslab.geometry.plan import rectangle
 from groundslab.model.loads.acting import LineForce
@@ -20,6 +19,7 @@ from groundslab.model.loads.spreading import spread_line
 from groundslab.model.model import Model
 from groundslab.model.structure.walls import Wall
 from groundslab.views.scene.plan import plan_of
+from groundslab.views.tables.structure.walls import wall_table
 
 PLATE = {"length_x": 6.0, "length_y": 4.0, "thickness": 0.4, "E": 33e9, "nu": 0.2}
 LOAD = {"kind": "line", "q": 120e3, "wall": "W"}

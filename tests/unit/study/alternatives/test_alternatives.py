@@ -14,8 +14,8 @@ from groundslab.analysis.driver import solve
 from groundslab.case import casefile
 from groundslab.case.editing.case_text import CaseText
 from groundslab.cli import main
+from groundslab.design.bars.proposal.propose import BarProposal
 from groundslab.design.checks import check_design
-from groundslab.design.proposal.propose import BarProposal
 from groundslab.errors import InputError
 from groundslab.study.alternatives import comparison as module
 from groundslab.study.alternatives.comparison import (

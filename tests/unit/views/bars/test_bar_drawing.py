@@ -9,10 +9,9 @@ import numpy as np
 import pytest
 
 from groundslab.cli import main
-from groundslab.design.detailing.bar_layout import BarSet, bar_sets
-from groundslab.design.detailing.bar_quantities import bars
-from groundslab.design.detailing.positions import Position, positions
-from groundslab.design.punching_links.layout import LinkLayout, LinkPerimeter
+from groundslab.design.bars.bar_layout import BarSet, bar_sets
+from groundslab.design.bars.positions import Position, positions
+from groundslab.design.rules.punching_links.layout import LinkLayout, LinkPerimeter
 from groundslab.errors import InputError
 from groundslab.model.model import Model
 from groundslab.results.results import Results
@@ -20,6 +19,7 @@ from groundslab.views.bars import write_bars
 from groundslab.views.drawing.bars import LAYERS, draw, label_of
 from groundslab.views.drawing.shapes import Circle, Line, Text
 from groundslab.views.files import results_folder
+from groundslab.views.tables.bar_quantities import bars
 from helpers import synthetic
 
 BASE = {"diameter": 0.012, "spacing": 0.15}

@@ -11,12 +11,12 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 
-from groundslab.design.tables.envelopes import fields_of_envelope
 from groundslab.fem.shape_functions import q9
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.fields import ELEMENT_FIELDS, ERROR, MEMBRANE, PLATE_FIELDS, STIFFNESS
 from groundslab.results.results import CombinationResult, Results
 from groundslab.views.files import results_folder, vtk
+from groundslab.views.tables.envelopes import fields_of_envelope
 from helpers import synthetic
 
 pytest.importorskip("vtkmodules", reason="VTK IS NOT INSTALLED: no file for ParaView was read by it")

@@ -10,7 +10,7 @@ import pytest
 
 import groundslab as gs
 from groundslab.cli import main
-from groundslab.design.result_tables import tables_of
+from groundslab.views.tables.result_tables import tables_of
 
 pytest.importorskip("xlsxwriter")
 

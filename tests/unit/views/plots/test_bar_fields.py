@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from matplotlib.text import Text
 
-from groundslab.design.required_bars import bar_fields
+from groundslab.design.bars.required_bars import bar_fields
 from groundslab.errors import InputError
 from groundslab.model.model import Model
 from groundslab.results.fields import BAR_FIELDS

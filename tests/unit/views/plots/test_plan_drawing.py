@@ -10,9 +10,9 @@ import numpy as np
 import pytest
 
 import groundslab
-from groundslab.case import dxf
 from groundslab.cli import main
 from groundslab.errors import InputError
+from groundslab.exchange import dxf
 from groundslab.geometry.plan import Ring
 from groundslab.model.model import Model
 from groundslab.views.files import results_folder

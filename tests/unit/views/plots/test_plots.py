@@ -17,7 +17,6 @@ import pytest
 
 import groundslab
 from groundslab.cli import main
-from groundslab.design.tables.quantities import mean_at_nodes, nodal_values
 from groundslab.discretize.ground import ground_under
 from groundslab.errors import InputError, NotConverged
 from groundslab.fem import vlasov
@@ -46,6 +45,7 @@ from groundslab.views.plots.ground import soil
 from groundslab.views.plots.panels import build_panels
 from groundslab.views.plots.request import parse_request
 from groundslab.views.plots.style import apply_style, math_symbol, plain_text
+from groundslab.views.tables.quantities import mean_at_nodes, nodal_values
 from helpers import synthetic
 from helpers.paths import ROOT
 

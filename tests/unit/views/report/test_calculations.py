@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from groundslab.design.tables.table import table_of
 from groundslab.views.report.calculations import Piece, build_sheets, split_formula, split_with_commas
+from groundslab.views.tables.table import table_of
 
 HEADS = (
     ("check", ""), ("of", ""), ("combination", ""), ("quantity", ""), ("symbol", ""), ("formula", ""),

@@ -18,14 +18,12 @@ import pytest
 import groundslab
 from groundslab.case import casefile
 from groundslab.cli import main as cli
-from groundslab.design.result_tables import tables_of
-from groundslab.design.tables.table import table_of
 from groundslab.errors import GroundslabError, InputError, NoEquilibrium
 from groundslab.languages import catalogue
 from groundslab.model.combinations import as_solved, list_combinations
 from groundslab.model.model import Model
 from groundslab.results.fields import PLATE_FIELDS
-from groundslab.results.record import Constants, SupportResult
+from groundslab.results.records import Constants, SupportResult
 from groundslab.results.results import Results, results_of
 from groundslab.schema.wording import printable
 from groundslab.storage import checksums
@@ -56,6 +54,8 @@ from groundslab.views.report.table_layout import (
 from groundslab.views.scene.binary import LEVELS
 from groundslab.views.summary import sections
 from groundslab.views.summary.terminal import shown_row
+from groundslab.views.tables.result_tables import tables_of
+from groundslab.views.tables.table import table_of
 from helpers import synthetic
 from helpers.pages import Element, page
 from helpers.scenes import unpack, values_of

@@ -9,7 +9,6 @@ from typing import Any
 import numpy as np
 import pytest
 
-from groundslab.design.tables.quantities import nodal_values
 from groundslab.errors import GroundslabError
 from groundslab.model.loads.load_types import UniformLoad
 from groundslab.model.model import Model
@@ -19,6 +18,7 @@ from groundslab.results.results import Results, results_of
 from groundslab.views.scene.binary import LEVELS, Blocks, Scene, pack
 from groundslab.views.scene.fields import scene_of
 from groundslab.views.scene.plan import plan_of
+from groundslab.views.tables.quantities import nodal_values
 from helpers import synthetic
 from helpers.scenes import unpack, values_of
 

@@ -13,8 +13,8 @@ from urllib.parse import quote
 import ezdxf
 import pytest
 
-from groundslab.case.dxf import survey as surveying
 from groundslab.errors import InputError
+from groundslab.exchange.dxf import survey as surveying
 from groundslab.workbench.events import Hub
 from helpers import asgi, bombs, workers
 

@@ -7,8 +7,8 @@ from functools import cache
 
 import pytest
 
-from groundslab.design.result_tables import table_makers, tables_of
 from groundslab.views.report.table_layout import Cell, TableLayout, headers, layout_table
+from groundslab.views.tables.result_tables import table_makers, tables_of
 from groundslab.workbench.solver import process
 from groundslab.workbench.solver.tables import table_to_json
 

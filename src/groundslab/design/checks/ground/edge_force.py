@@ -8,10 +8,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from groundslab.design.basis.check import DesignCheck
-from groundslab.design.basis.combinations import solved_results
-from groundslab.design.basis.demand_errors import error_of, scaled
 from groundslab.design.demands.edge_strip import line_force_share, strip_width
+from groundslab.design.rules.check import DesignCheck
+from groundslab.design.rules.combinations import solved_results
+from groundslab.design.rules.demand_errors import error_of, scaled
 from groundslab.messages import Message, Name
 from groundslab.results.results import Results
 

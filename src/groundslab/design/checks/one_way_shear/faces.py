@@ -23,7 +23,7 @@ from groundslab.model.loads.acting import LineForce, PointForce
 from groundslab.model.loads.clipping import clip_line
 from groundslab.model.model import Model
 from groundslab.model.supports import LineSupport
-from groundslab.results.mesh_results import PlateResult
+from groundslab.results.plate_result import PlateResult
 from groundslab.results.results import CombinationResult
 
 if TYPE_CHECKING:

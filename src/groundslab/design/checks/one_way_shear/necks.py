@@ -15,11 +15,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from groundslab.arrays import Array, Flags
-from groundslab.design.basis.wide_beam import Cut, cut_along, singular_nodes
-from groundslab.design.by_plate import results_by_plate
 from groundslab.design.checks.one_way_shear.faces import Bearer, webs_of
+from groundslab.design.demands.by_plate import results_by_plate
 from groundslab.design.demands.perimeter_loads import PunchingForce
 from groundslab.design.demands.perimeters import outline
+from groundslab.design.rules.wide_beam import Cut, cut_along, singular_nodes
 from groundslab.fem.mesh import Mesh
 from groundslab.model.remarks.singular_places import forces_without_footprint
 from groundslab.model.supports import LineSupport

@@ -10,17 +10,17 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from groundslab.arrays import Array, Flags, Integers
-from groundslab.design.basis.design_code import ShearRule
-from groundslab.design.basis.wide_beam import Cut
-from groundslab.design.by_plate import distances_to_edges, farthest_from_edges, results_by_plate
+from groundslab.design.bars.required_bars import largest_areas, required_areas
 from groundslab.design.checks.one_way_shear.faces import Bearer, pressing, region_within_d, webs_of
 from groundslab.design.checks.one_way_shear.necks import is_beside
+from groundslab.design.demands.by_plate import distances_to_edges, farthest_from_edges, results_by_plate
 from groundslab.design.demands.line_traversal import interpolation, pieces
 from groundslab.design.demands.loads.column_loads import factors_of
 from groundslab.design.demands.perimeter_loads import PunchingForce, Reach
 from groundslab.design.demands.perimeters import outline
 from groundslab.design.demands.zones.thicker_zones import SAME
-from groundslab.design.required_bars import largest_areas, required_areas
+from groundslab.design.rules.design_code import ShearRule
+from groundslab.design.rules.wide_beam import Cut
 from groundslab.fem.mesh import Mesh
 from groundslab.model.design.floors import TR34Floor
 from groundslab.model.design.laid_bars import laid_bars
@@ -29,7 +29,7 @@ from groundslab.model.loads.acting import PointForce
 from groundslab.model.remarks.singular_places import near_singular
 from groundslab.model.supports import LineSupport
 from groundslab.results.fields import LAYERS
-from groundslab.results.mesh_results import ElementResult, PlateResult
+from groundslab.results.plate_result import ElementResult, PlateResult
 from groundslab.results.results import CombinationResult
 
 if TYPE_CHECKING:

@@ -25,24 +25,24 @@ import numpy as np
 
 from groundslab.accuracy.values import reduction_of
 from groundslab.arrays import Array
-from groundslab.design.basis.check import NO_PLACE, DesignCheck, Status, not_judged
-from groundslab.design.basis.combinations import ultimate_results
-from groundslab.design.basis.demand_errors import error_of_greatest, scaled
-from groundslab.design.basis.design_code import DesignCode, ShearRule, no_rule
-from groundslab.design.basis.shear_demand import AlongForce, ShearDemand
-from groundslab.design.basis.wide_beam import Cut, same
 from groundslab.design.checks.one_way_shear.faces import bearers
 from groundslab.design.checks.one_way_shear.necks import neck_cuts
 from groundslab.design.checks.one_way_shear.places import FORCES, Places, ShearPlaces, near_forces, nodes_of
-from groundslab.design.codes import code_of
+from groundslab.design.codes.registry import code_of
 from groundslab.design.demands.edge_strip import plates_that_count, spread_edge_force
 from groundslab.design.demands.perimeter_loads import punching_columns, punching_piles
 from groundslab.design.demands.principal_shear import principal_shear, ratio_along
 from groundslab.design.demands.zones.thicker_zones import zone_forces
+from groundslab.design.rules.check import NO_PLACE, DesignCheck, Status, not_judged
+from groundslab.design.rules.combinations import ultimate_results
+from groundslab.design.rules.demand_errors import error_of_greatest, scaled
+from groundslab.design.rules.design_code import DesignCode, ShearRule, no_rule
+from groundslab.design.rules.shear_demand import AlongForce, ShearDemand
+from groundslab.design.rules.wide_beam import Cut, same
 from groundslab.messages import Clause, Message, Name
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.fields import place_of
-from groundslab.results.mesh_results import PlateResult
+from groundslab.results.plate_result import PlateResult
 from groundslab.results.results import CombinationResult, Results
 
 

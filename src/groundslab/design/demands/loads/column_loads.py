@@ -28,7 +28,7 @@ from groundslab.model.loads.clipping import LinePiece
 from groundslab.model.loads.load_types import AnyLoad, PointLoad
 from groundslab.model.loads.spreading import spread_line
 from groundslab.model.model import Model
-from groundslab.model.plates.further import first_sections
+from groundslab.model.plates.other_plates import first_sections
 from groundslab.results.results import CombinationResult
 
 if TYPE_CHECKING:

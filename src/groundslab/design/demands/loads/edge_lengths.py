@@ -12,7 +12,7 @@ from groundslab.design.demands.perimeters import SIDE_CHORDS
 from groundslab.fem.mesh import SIDES, sides_on_boundary
 from groundslab.fem.shape_functions import gauss_line, lagrange
 from groundslab.geometry.places import same_place
-from groundslab.results.mesh_results import PlateResult
+from groundslab.results.plate_result import PlateResult
 
 if TYPE_CHECKING:
     from shapely import Polygon

@@ -17,14 +17,14 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from groundslab.arrays import Array, made_once
-from groundslab.design.by_plate import split_by_plate
+from groundslab.design.demands.by_plate import split_by_plate
 from groundslab.design.demands.perimeter_loads import PunchingForce, punching_columns, punching_piles, reach_of
 from groundslab.design.demands.perimeters import Perimeter, ZoneFootprint, area_of, outline
 from groundslab.fem.mesh import SIDES
 from groundslab.geometry.places import same_place
 from groundslab.geometry.rectangles import direction_at
 from groundslab.messages import Message, Name, series
-from groundslab.model.plates.further import first_sections
+from groundslab.model.plates.other_plates import first_sections
 from groundslab.model.structure.columns import Column
 from groundslab.results.results import CombinationResult, Results
 

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from groundslab.arrays import Array
-from groundslab.design.detailing.positions import positions
+from groundslab.design.bars.positions import positions
 from groundslab.geometry.plan import DRAWN_CHORD
 from groundslab.model.loads.acting import AreaPressure, LineForce, PointForce
 from groundslab.schema.wording import printable

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from groundslab.design.basis.combinations import ultimate_results
-from groundslab.design.required_bars import bar_fields
+from groundslab.design.bars.required_bars import bar_fields
+from groundslab.design.rules.combinations import ultimate_results
 from groundslab.messages import Message, Name, capitalized, joined, words_in
 from groundslab.model.names import names_of
 from groundslab.results.results import results_of

@@ -1,5 +1,0 @@
-"""Slabs from IFC files, which programs for buildings exchange: geometry alone."""
-
-from groundslab.case.ifc.reader import IfcCase, list_slabs, read_ifc
-
-__all__ = ["IfcCase", "list_slabs", "read_ifc"]

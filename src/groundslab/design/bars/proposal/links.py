@@ -1,0 +1,63 @@
+"""Links against punching that are proposed where results need them, by the code of the case."""
+
+from __future__ import annotations
+
+from groundslab.arrays import made_once
+from groundslab.design.codes.registry import code_of
+from groundslab.design.rules.punching_links.layout import LinkLayout, lay_links
+from groundslab.model.design.detailing import allowed_bars
+from groundslab.model.design.laid_bars import axis_of
+from groundslab.model.design.reinforcement import Reinforcement
+from groundslab.results.results import Results
+from groundslab.schema.issues import require
+
+
+@made_once
+def punching_links(combined: Results) -> tuple[LinkLayout, ...]:
+    """Return links in perimeters around each column, pile, zone and end of a wall that needs them.
+
+    Their diameter is that of ``reinforcement.proposal.link_diameters`` with the least steel; legs are as long as the
+    covers of both faces leave of the thickness, and keep off edges and openings by the larger cover.
+
+    Parameters
+    ----------
+    combined : Results
+        The results of all combinations.
+
+    Returns
+    -------
+    tuple of LinkLayout
+        One for each, with the reason instead where links do not help or cannot be laid; none without reinforcement, or
+        where concrete alone resists.
+
+    References
+    ----------
+    EN 1992-1-1 6.4.5, 9.4.3; ACI 318-19 22.6.7, 8.7.6.
+
+    Examples
+    --------
+    >>> import groundslab
+    >>> for layout in groundslab.punching_links(groundslab.solve(groundslab.load("case.toml"))):
+    ...     print(layout.name, layout.number, layout.diameter)
+    """
+    require(combined, Results, name="results")
+    steel = combined.model.reinforcement
+    rule = code_of(steel).punching if steel is not None else None
+    if steel is None or rule is None or rule.links is None:
+        return ()
+    covers = _cover(steel, "bottom"), _cover(steel, "top")
+    diameters = allowed_bars(steel.proposal, combined.model.units).link_diameters
+    return tuple(lay_links(demand, diameters, covers) for demand in rule.links(combined, steel))
+
+
+def _cover(steel: Reinforcement, face: str) -> float:
+    """Return the cover of the outermost bars of a face [m]; where only axes are given, the distance of their axes."""
+    if steel.cover is not None:
+        return float(steel.cover[face == "top"])
+    return min(_of_layer(steel, f"{face}_{axis}") for axis in "xy")
+
+
+def _of_layer(steel: Reinforcement, layer: str) -> float:
+    """Return the cover of a layer's bars [m], of its axis if there are none."""
+    bars = steel.base_bars(layer)
+    return axis_of(steel, layer) - (bars.diameter / 2 if bars is not None else 0.0)

@@ -1,0 +1,373 @@
+"""Bars proposed for a slab by what its results require, in the form of the case's own bars."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from functools import cache, partial
+
+import numpy as np
+
+from groundslab.arrays import Array
+from groundslab.design.bars.proposal.layer_bars import LayerProposal, LayerTask, propose_layer
+from groundslab.design.bars.proposal.links import punching_links
+from groundslab.design.bars.proposal.plan_grid import CellValues, PlanGrid, locate_cells, make_grid
+from groundslab.design.bars.required_bars import largest_areas, required_areas
+from groundslab.design.codes.registry import code_of
+from groundslab.design.rules.combinations import ultimate_results
+from groundslab.design.rules.demand_errors import moment_errors
+from groundslab.design.rules.design_code import DesignCode
+from groundslab.design.rules.detailing_rule import DetailingRule
+from groundslab.design.rules.punching_links.layout import LinkLayout
+from groundslab.errors import GroundslabError, InputError, Issue
+from groundslab.messages import Message
+from groundslab.model.design.bars import BarZone
+from groundslab.model.design.detailing import Detailing, allowed_bars
+from groundslab.model.design.laid_bars import axis_of, bar_area, laid_bars, polygon_of
+from groundslab.model.design.reinforcement import Reinforcement, axes_by_cover
+from groundslab.model.model import Model
+from groundslab.model.plates.region import get_plate_region
+from groundslab.results.fields import LAYERS, place_of
+from groundslab.results.results import CombinationResult, Results
+from groundslab.schema.issues import require
+
+#: Proposals one after the other, as bars lie deeper than was counted on.
+MOST_ROUNDS = 10
+#: A face may be in tension where its moment is less than this share of the largest one on the other side of none.
+NEAR_TENSION = 0.02
+#: What counts as rounding, relative.
+ROUNDING = 1e-9
+
+
+@dataclass(frozen=True, slots=True)
+class BarProposal:
+    """Bars that are proposed for a slab.
+
+    Attributes
+    ----------
+    model : Model
+        The case with these bars in place of its own, and with detailing.
+    required : dict of str to float
+        By layer, what is required at the points of the mesh over the plan, without minimum where a face is surely
+        never in tension [m3].
+    laid : dict of str to float
+        By layer, the steel of base and zones over the plan, anchorage of zones included, laps not [m3].
+    links : tuple of LinkLayout
+        Links against punching that these bars leave necessary; they are no part of the case.
+    remarks : tuple of str
+        What a proposal could not keep to, or what was not looked at.
+    """
+
+    model: Model
+    required: dict[str, float]
+    laid: dict[str, float]
+    links: tuple[LinkLayout, ...] = ()
+    remarks: tuple[str, ...] = ()
+
+    @property
+    def reinforcement(self) -> Reinforcement:
+        """Return the reinforcement of the case with these bars."""
+        assert self.model.reinforcement is not None
+        return self.model.reinforcement
+
+
+def propose_bars(results: Results) -> BarProposal:
+    """Propose bars for a slab: a base in each layer and zones of additional bars, with little steel.
+
+    What bending and the minimum require at the points of the mesh in ultimate combinations is covered everywhere, the
+    minimum also where a face may be in tension on another mesh, with the shift of moments and the anchorage of the
+    zones' bars; where the case limits crack widths, these too. The bars are those that ``reinforcement.proposal``
+    allows; those that the case has are not looked at.
+
+    Parameters
+    ----------
+    results : Results
+        The results of all combinations of a case with reinforcement.
+
+    Returns
+    -------
+    BarProposal
+        The case with the bars, to be written, checked and drawn as any other, and the steel.
+
+    Raises
+    ------
+    InputError
+        If the case has no reinforcement or no ultimate combination, or if no bars that are allowed are enough.
+
+    References
+    ----------
+    EN 1992-1-1 8.4, 8.7, 9.2.1.3; ACI 318-19 25.4.2, 25.5.2, 7.7.3.3.
+
+    Examples
+    --------
+    >>> import groundslab
+    >>> proposal = groundslab.propose_bars(groundslab.solve(groundslab.load("case.toml")))
+    >>> groundslab.write_bars(proposal.model, "bars.dxf")
+    """
+    require(results, Results, name="results")
+    steel, code = _steel_and_code(results)
+    rule, plate = code.detailing, ultimate_results(results)[0].plate
+    assert rule is not None
+    region = get_plate_region(results.model.plate, results.model.plates)
+    grid = make_grid(region.area, steel.proposal.rounding)
+    cells = locate_cells(grid, plate)
+    needs = _requirements(results, steel)
+    thickness = ultimate_results(results)[0].elements.at_nodes(plate)[0]
+    between = float(thickness.min()), float(thickness.max())
+    axes = {layer: axis_of(steel, layer) for layer in LAYERS}
+    for _ in range(MOST_ROUNDS):
+        layers, remarks = dict[str, LayerProposal](), list[str]()
+        for layer in LAYERS:
+            task = _task(results, steel, layer, needs[layer], between, rule, cells)
+            task = replace(task, farthest=partial(_farthest, steel, rule, axes[layer]))
+            proposed, missed = _propose(task, layer, grid, steel, rule)
+            remarks += missed
+            layers[layer] = proposed or _refuse(layer, needs[layer], plate.nodes, steel, rule)
+        found = _with_bars(steel, layers, grid)
+        more = _requirements(results, found)
+        deeper = {layer: max(axes[layer], axis_of(found, layer)) for layer in LAYERS}
+        if _enough(found, more, plate.nodes) and (_near(found, rule) or deeper == axes):
+            return _proposal(results, found, more, [*remarks, *_remarks(results, rule)])
+        # bars lie deeper than those whose depths were counted on
+        needs, axes = {layer: np.maximum(needs[layer], more[layer]) for layer in LAYERS}, deeper
+    raise GroundslabError(f"no bars were found whose depths are those counted on, in {MOST_ROUNDS} proposals")
+
+
+def _propose(
+    task: LayerTask, layer: str, grid: PlanGrid, steel: Reinforcement, rule: DetailingRule
+) -> tuple[LayerProposal | None, Sequence[str]]:
+    """Return the bars of a layer, None if none are enough, and what they could not keep to."""
+    name, every = layer.replace("_", " "), _diameters(steel, layer, rule, crossing=True)
+    thick, far = replace(task, diameters=every), replace(task, farthest=_no_limit)
+    crossing = Message("{name}: the axes leave no room for bars so thick to cross others", name=name)
+    apart = Message(
+        "{name}: bars are farther apart than cracks allow, as none of those that may be proposed are near enough",
+        name=name,
+    )
+    for attempt, missed in (
+        (task, []), (thick, [crossing]), (far, [apart]), (replace(far, diameters=every), [crossing, apart])
+    ):  # fmt: skip
+        proposed = propose_layer(attempt, grid, steel, rule)
+        if proposed is not None:
+            return proposed, missed
+    return None, []
+
+
+def _farthest(steel: Reinforcement, rule: DetailingRule, axis: float, diameter: float) -> float:
+    """Return the largest distance of bars for cracks [m], their axis [m] being that far from the face."""
+    return math.inf if rule.crack_spacing is None else rule.crack_spacing(steel, axis - diameter / 2)
+
+
+def _no_limit(_: float) -> float:
+    """Return that bars may be as far apart as they like."""
+    return math.inf
+
+
+def _enough(found: Reinforcement, needs: dict[str, Array], nodes: Array) -> bool:
+    """Return whether bars are as much as is needed (n,) [m2/m] by layer."""
+    laid = {layer: laid_bars(found, layer, nodes) for layer in LAYERS}
+    return all((needs[layer] <= laid[layer].area * (1 + ROUNDING)).all() for layer in LAYERS)
+
+
+def _near(found: Reinforcement, rule: DetailingRule) -> bool:
+    """Return whether the bars of all bases are near enough for cracks where they lie."""
+    bases = {layer: found.base_bars(layer) for layer in LAYERS}
+    return all(
+        bars is None or bars.spacing <= _farthest(found, rule, axis_of(found, layer), bars.diameter) + ROUNDING
+        for layer, bars in bases.items()
+    )
+
+
+def _steel_and_code(results: Results) -> tuple[Reinforcement, DesignCode]:
+    """Return the reinforcement of a case and its code, if bars can be proposed by them."""
+    steel = results.model.reinforcement
+    if steel is None:
+        raise InputError([Issue("reinforcement", "nothing", "[reinforcement] with concrete, steel and axes or cover")])
+    if not ultimate_results(results):
+        hint = 'such as combine.sets = ["ultimate"]'
+        raise InputError([Issue("combinations", "no ultimate one with results", "one at least", hint)])
+    code = code_of(steel)
+    if code.detailing is None:
+        raise InputError([Issue("reinforcement.code", code.name, "a code with rules for anchorage")])
+    return steel.replace(proposal=allowed_bars(steel.proposal, results.model.units)), code
+
+
+def _requirements(results: Results, steel: Reinforcement) -> dict[str, Array]:
+    """Return what bending and the minimum require (n,) [m2/m] by layer over the ultimate combinations.
+
+    The minimum is required where a face may be in tension, as on another mesh it may be.
+    """
+    required = required_areas(steel, ultimate_results(results))
+    plate = ultimate_results(results)[0].plate
+    rule = code_of(steel).detailing
+    assert rule is not None
+    needs = {}
+    for layer in LAYERS:
+        needs[layer] = largest_areas(required, layer)[0]
+        if np.isinf(needs[layer]).any():
+            _refuse(layer, needs[layer], plate.nodes, steel, rule)
+    for result in ultimate_results(results):
+        for layer, least in _least_areas(result, steel).items():
+            needs[layer] = np.maximum(needs[layer], least)
+    return needs
+
+
+def _least_areas(result: CombinationResult, steel: Reinforcement) -> dict[str, Array]:
+    """Return the minimum (n,) [m2/m] by layer where the moments of a face, or their errors, may put it in tension."""
+    plate = result.plate
+    thickness, _ = result.elements.at_nodes(plate)
+    minimum = code_of(steel).bending(steel, result.limit_state).minimum
+    errors = moment_errors(result)
+    found = {}
+    for layer in LAYERS:
+        name = f"moment_{layer[-1]}"
+        moment, twist = getattr(plate, name), np.abs(plate.moment_xy)
+        tension = (moment if layer.startswith("bottom") else -moment) + twist
+        margin = errors[name] + NEAR_TENSION * float((np.abs(moment) + twist).max())
+        found[layer] = np.where(tension + margin > 0, minimum(thickness - axis_of(steel, layer), thickness), 0.0)
+    return found
+
+
+def _refuse(layer: str, needs: Array, nodes: Array, steel: Reinforcement, rule: DetailingRule) -> LayerProposal:
+    """Raise InputError for a layer that no bars are enough for."""
+    node = int(np.argmax(needs))
+    x, y = place_of(nodes, node)
+    where = f"{layer.replace('_', ' ')} at ({x:.3f}, {y:.3f}) m"
+    if np.isinf(needs[node]):
+        raise InputError([Issue(where, "concrete too weak for any bars", "a thicker slab, or stronger concrete")])
+    most = max(_diameters(steel, layer, rule, crossing=True)) * 1e3
+    hint = Message(
+        "cover and axes leave room for {most:g mm}; allow smaller spacings or more zones in reinforcement.proposal",
+        most=most,
+    )
+    found = Message("{needs:.4g cm2/m} required", needs=needs[node] * 1e4)
+    raise InputError([Issue(where, found, "bars of reinforcement.proposal that are as much", hint)])
+
+
+def _task(
+    results: Results,
+    steel: Reinforcement,
+    layer: str,
+    needs: Array,
+    thickness: tuple[float, float],
+    rule: DetailingRule,
+    cells: CellValues,
+) -> LayerTask:
+    """Return what the bars of a layer are chosen for, with what they need (n,) [m2/m] at the nodes without cracks."""
+    spacings = tuple(s for s in steel.proposal.spacings if s <= rule.spacing(steel, thickness[0]) + ROUNDING)
+    if not spacings:
+        hint = Message("at most {spacing:.4g mm} is allowed", spacing=rule.spacing(steel, thickness[0]) * 1e3)
+        raise InputError([Issue("reinforcement.proposal.spacings", "none that the code allows", "smaller ones", hint)])
+    axis = "xy".index(layer[-1])
+
+    def along(of_nodes: Array) -> Array:
+        largest = cells.largest(of_nodes, axis)
+        return largest if axis == 0 else largest.T
+
+    without_cracks = along(needs)
+
+    @cache
+    def of_cells(diameter: float, spacing: float) -> Array:
+        if rule.crack_area is None:
+            return without_cracks
+        of_cracks = rule.crack_area(results, steel, layer, diameter, spacing)
+        return along(np.maximum(needs, of_cracks)) if (of_cracks > needs).any() else without_cracks
+
+    return LayerTask(
+        needs=of_cells,
+        axis=axis,
+        distance=axis_of(steel, layer),
+        at_top=layer.startswith("top"),
+        thickness=thickness,
+        diameters=_diameters(steel, layer, rule),
+        spacings=spacings,
+    )
+
+
+def _diameters(steel: Reinforcement, layer: str, rule: DetailingRule, *, crossing: bool = False) -> tuple[float, ...]:
+    """Return the diameters of the proposal that fit a layer: with their cover, and between both layers of the face.
+
+    If the axes leave no room for any, the least one. `crossing` is whether bars may be too thick for both layers.
+    """
+    face = layer.split("_")[0]
+    given: tuple[float, float] | None = getattr(steel, face)
+    diameters = steel.proposal.diameters
+    allowed = []
+    for diameter in diameters:
+        least = rule.least_cover(steel, layer, diameter) or 0.0
+        if given is None:
+            assert steel.cover is not None
+            fits = steel.cover[face == "top"] >= least - ROUNDING
+        else:
+            own = given["xy".index(layer[-1])]
+            # the bars of both layers of a face cross: half of each lies between their axes
+            room = crossing or diameter <= abs(given[0] - given[1]) + ROUNDING
+            fits = own - diameter / 2 >= least - ROUNDING and room
+        if fits:
+            allowed.append(diameter)
+    return tuple(allowed) or diameters[:1]
+
+
+def _with_bars(steel: Reinforcement, layers: dict[str, LayerProposal], grid: PlanGrid) -> Reinforcement:
+    """Return the reinforcement with proposed bars in place of its own, at the depth that the thickest of them have."""
+    zones = []
+    for layer, proposed in layers.items():
+        for number, (bars, (i0, i1, j0, j1)) in enumerate(proposed.zones, start=1):
+            sides = {"x": (grid.line(0, i0), grid.line(0, i1)), "y": (grid.line(1, j0), grid.line(1, j1))}
+            zones.append(
+                BarZone(
+                    name=f"{layer.replace('_', ' ')} {number}",
+                    shape={"kind": "rectangle", **sides},
+                    layers=(layer,),
+                    diameter=bars.diameter,
+                    spacing=bars.spacing,
+                )
+            )
+    changes: dict[str, object] = {layer: proposed.base for layer, proposed in layers.items()}
+    for face in ("bottom", "top"):
+        if getattr(steel, face) is None:
+            thickest = [
+                max(bars.diameter for bars in (layers[layer].base, *(bars for bars, _ in layers[layer].zones)))
+                for layer in (f"{face}_x", f"{face}_y")
+            ]
+            assert steel.cover is not None
+            changes[face] = axes_by_cover(steel.cover[face == "top"], steel.outer, *thickest)
+    detailing = steel.detailing or Detailing()
+    cleared = {"bottom_mesh": None, "top_mesh": None, "zones": tuple(zones), "detailing": detailing}
+    return steel.model_copy(update=changes | cleared)
+
+
+def _proposal(results: Results, found: Reinforcement, needs: dict[str, Array], remarks: list[str]) -> BarProposal:
+    """Return the proposal with its steel."""
+    plate = ultimate_results(results)[0].plate
+    steel = results.model.reinforcement
+    assert steel is not None
+    model = results.model.model_copy(update={"reinforcement": found.replace(proposal=steel.proposal)})
+    region = get_plate_region(model.plate, model.plates)
+    laid = {}
+    for layer in LAYERS:
+        base = found.base_bars(layer)
+        assert base is not None
+        laid[layer] = bar_area(base) * float(region.area.area)
+        for zone in found.zones:
+            if layer in zone.layers:
+                laid[layer] += bar_area(zone.bars) * float(polygon_of(zone.shape.ring()).intersection(region.area).area)
+    required = {layer: float((needs[layer] * plate.area).sum()) for layer in LAYERS}
+    links = punching_links(replace(results, model=model))
+    return BarProposal(model, required, laid, links, tuple(remarks))
+
+
+def _remarks(results: Results, rule: DetailingRule) -> Iterator[str]:
+    """Yield what was not looked at."""
+    if rule.crack_area is None:
+        alone = "" if rule.crack_spacing is None else ", how far apart bars may be for cracks alone"
+        yield Message(
+            "crack widths are not looked at: the code of the case has no rule of them here{alone}", alone=alone
+        )
+    steel = results.model.reinforcement
+    if steel is not None and steel.detailing is not None and not steel.detailing.edge_bars:
+        yield "bars at edges of the slab count as held there, though detailing.edge_bars is false: hook them"
+    if results.model.cracking is not None:
+        yield "[cracking]: bars change the stiffness; solve the case again with them"
+    yield "punching and one-way shear ask for no more bars here; check the case with the bars"

@@ -1,0 +1,153 @@
+"""Stirrups that two-way shear by ACI 318-19 takes at columns and piles: their perimeters (22.6.7, 8.7.6).
+
+The legs of a perimeter are on all sides of what punches, A_v = (A_v / s) s. The first is at d / 2 from the face at
+most, the next ones d / 2 from each other, legs along it 2 d (Table 8.7.6.3); bars are no thicker than d / 16
+(22.6.7.1). Perimeters follow until v_u <= phi v_c on the section d / 2 beyond the outermost one (22.6.4.2, 22.6.6.1).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import partial
+
+import numpy as np
+
+from groundslab.arrays import Array
+from groundslab.design.codes.aci318 import punching as aci318
+from groundslab.design.codes.aci318.checks.two_way_demand import (
+    TwoWay,
+    demand_on,
+    openings_of,
+    pile_two_way,
+    section_at,
+    strength,
+    two_way,
+    zone_two_way,
+)
+from groundslab.design.codes.aci318.checks.wall_ends import wall_two_way
+from groundslab.design.codes.aci318.materials import PHI_SHEAR
+from groundslab.design.codes.aci318.materials_of_case import materials
+from groundslab.design.demands.by_plate import plate_under
+from groundslab.design.demands.perimeter_loads import PunchingForce, punching_columns, punching_piles
+from groundslab.design.demands.perimeters import Surroundings, perimeter_at, surroundings
+from groundslab.design.demands.zones.thicker_zones import zone_forces
+from groundslab.design.rules.combinations import ultimate_results
+from groundslab.design.rules.punching_links.demand import Arrangement, LinkDemand, LinkRow, Support, rounded_down
+from groundslab.design.rules.wall_ends import loaded_ends
+from groundslab.messages import Message
+from groundslab.model.design.reinforcement import Reinforcement
+from groundslab.results.results import CombinationResult, Results
+
+#: Distances over the effective depth: of the first perimeter and of each from the next, and of legs (Table 8.7.6.3).
+APART, ALONG = 0.5, 2.0
+#: The effective depth over the diameter, at least (22.6.7.1).
+LEAST_SLENDER = 16.0
+#: Perimeters at least and at most.
+LEAST_ROWS, MOST_ROWS = 2, 20
+CLAUSES = "ACI 318-19 22.6.7, 8.7.6"
+
+
+def links(combined: Results, steel: Reinforcement) -> Iterator[LinkDemand]:
+    """Yield the columns, piles, zones and walls' ends that need stirrups, with perimeters, or why they do not help."""
+    results = ultimate_results(combined)
+    if not results:
+        return
+    model = combined.model
+    yield from _of_forces(results, steel, "column", punching_columns(combined.solved_model), two_way(combined)[0])
+    yield from _of_forces(results, steel, "pile", punching_piles(model), pile_two_way(combined)[0])
+    yield from _of_forces(results, steel, "zone", zone_forces(combined), zone_two_way(combined)[0])
+    if loaded_ends(model):
+        known = wall_two_way(combined)
+        for name in dict.fromkeys(name for _, name in known):
+            worst = _worst(known, name, steel)
+            if worst.v_u > strength(worst, steel):
+                why = "stirrups at ends of walls are not laid out by this code here"
+                yield LinkDemand("wall end", name, worst.place, worst.combination, CLAUSES, why)
+
+
+def _worst(known: Mapping[tuple[str, str], TwoWay], name: str, steel: Reinforcement) -> TwoWay:
+    """Return the demand at one column, pile or end of a wall that uses most."""
+    of_name = [demand for (_, each), demand in known.items() if each == name]
+    return max(of_name, key=lambda demand: demand.v_u / strength(demand, steel))
+
+
+def _of_forces(
+    results: Sequence[CombinationResult],
+    steel: Reinforcement,
+    support: Support,
+    forces: Sequence[PunchingForce],
+    known: Mapping[tuple[str, str], TwoWay],
+) -> Iterator[LinkDemand]:
+    """Yield the columns, piles or zones that need stirrups."""
+    for punching in forces:
+        found = {pair: demand for pair, demand in known.items() if pair[1] == punching.name and not demand.supported}
+        needing = [demand for demand in found.values() if demand.v_u > strength(demand, steel)]
+        if not needing:
+            continue
+        worst = max(needing, key=lambda demand: demand.v_u)
+        arrangement = _refused(steel, needing) or _arrangement(results, steel, punching, worst)
+        yield LinkDemand(support, punching.name, punching.place, worst.combination, CLAUSES, arrangement)
+
+
+def _arrangement(
+    results: Sequence[CombinationResult], steel: Reinforcement, punching: PunchingForce, worst: TwoWay
+) -> Arrangement | str:
+    """Return the perimeters around a column or pile, by the combination that needs most, or why there are none."""
+    d, first = worst.d, results[0]
+    s = rounded_down(APART * d)
+    counts = [count for way in punching.ways if (count := _rows(results, way, steel, d, s)) is not None]
+    if len(counts) < len(punching.ways):
+        return Message(
+            "stirrups would go on beyond {most_rows:g} d from the face, as v_u hardly falls outwards",
+            most_rows=MOST_ROWS * APART,
+        )
+    area, count = aci318.links(worst.v_u, d, worst.b_o, *materials(steel)) * s, max(counts)
+    plate = plate_under(first, *punching.place)
+    around = surroundings(plate, punching.footprint, (count + 1) * s, openings_of(first, punching))
+    options = _options([LinkRow((n + 1) * s, area, ALONG * d) for n in range(count)], d)
+    return Arrangement(punching.thickness(first), options, partial(_legs, around), around.plan)
+
+
+def _legs(around: Surroundings, distance: float) -> Array:
+    """Return the pieces (l, 2, 2) [m] that count of the perimeter at a distance [m] from a column or pile."""
+    return perimeter_at(around, distance, near=np.inf).legs
+
+
+def _refused(steel: Reinforcement, needing: Sequence[TwoWay]) -> str:
+    """Return why stirrups do not help; empty if they do."""
+    most = PHI_SHEAR * aci318.most_with_links(materials(steel)[0])
+    used = max(demand.v_u for demand in needing) / most
+    if used > 1:
+        return Message("stirrups do not suffice: v_u is {used:.3g} phi 0.498 (f'c)^(1/2) (22.6.6.3)", used=used)
+    return (
+        "the slab is too thin for stirrups (22.6.7.1)"
+        if min(demand.d for demand in needing) < aci318.LEAST_DEPTH
+        else ""
+    )
+
+
+def _rows(
+    results: Sequence[CombinationResult], punching: PunchingForce, steel: Reinforcement, d: float, s: float
+) -> int | None:
+    """Return how many perimeters s apart [m] there are until concrete alone resists beyond them, None if too many."""
+    pushing = [result for result in results if punching.pushing(result)[0] > 0]
+    if not pushing:
+        return LEAST_ROWS
+    most = PHI_SHEAR * aci318.with_links(materials(steel)[0], d)
+    for count in range(LEAST_ROWS, MOST_ROWS + 1):
+        section = section_at(pushing[0], punching, d, count * s + APART * d, square=False)
+        if isinstance(section, str):  # beyond it the slab is cut from edge to edge, or ends
+            return count
+        if all(demand_on(result, section, punching, steel).v_u <= most for result in pushing):
+            return count
+    return None
+
+
+def _options(rows: list[LinkRow], d: float) -> Callable[[float], Iterator[tuple[LinkRow, ...]]]:
+    """Return the perimeters that a diameter may have."""
+
+    def options(diameter: float) -> Iterator[tuple[LinkRow, ...]]:
+        if diameter <= d / LEAST_SLENDER:
+            yield tuple(rows)
+
+    return options

@@ -1,0 +1,46 @@
+"""How bars end and lap in a case by ACI 318-19."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from groundslab.design.codes.aci318 import development
+from groundslab.design.codes.aci318.checks.bars import CLEAR, CRACKS, SPACING, crack_spacing, crack_stress, least_cover
+from groundslab.design.codes.aci318.materials_of_case import materials
+from groundslab.design.rules.detailing_rule import DetailingRule, EndingBar
+from groundslab.model.design.reinforcement import Reinforcement
+
+#: Bars reach so many diameters, or d, beyond where they are needed (7.7.3.3, by 8.7.4.1.1).
+BEYOND = 12
+
+
+def _length(steel: Reinforcement, bar: EndingBar, *, splice: bool) -> float:
+    """Return the development or splice length [m] of a bar."""
+    find = development.splice_length if splice else development.development_length
+    cover, clear = bar.axis - bar.diameter / 2, bar.spacing - bar.diameter
+    return find(*materials(steel), bar.diameter, cover=cover, clear=clear, below=bar.below)
+
+
+def _spacing(_: Reinforcement, thickness: float) -> float:
+    """Return the largest spacing [m] (8.7.2.2)."""
+    times, least, most = SPACING
+    return min(max(times * thickness, least), most)
+
+
+def _crack_spacing(steel: Reinforcement, cover: float) -> float:
+    """Return the largest spacing [m] for cracks, at two thirds of f_y (24.3.2), the lesser of both editions."""
+    return float(min(crack_spacing(crack_stress(steel), np.array(cover), units) for units in CRACKS))
+
+
+RULE = DetailingRule(
+    anchorage=lambda steel, bar: _length(steel, bar, splice=False),
+    lap=lambda steel, bar: _length(steel, bar, splice=True),
+    shift=lambda d, diameter: max(d, BEYOND * diameter),
+    least_cover=lambda _, layer, diameter: least_cover(layer, diameter, "SI"),
+    least_clear=lambda steel, diameter: max(diameter, CLEAR[0], CLEAR[1] * (steel.aggregate or 0.0)),
+    spacing=_spacing,
+    edge_leg=2.0,  # as EN 1992-1-1 Figure 9.8: ACI 318 has no rule
+    crack_area=None,
+    crack_spacing=_crack_spacing,
+    clauses={"anchorage": "25.4.2", "laps": "25.5.2", "shift": "7.7.3.3", "edges": ""},
+)

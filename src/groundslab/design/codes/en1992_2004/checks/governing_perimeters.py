@@ -1,0 +1,428 @@
+"""What punches at columns, piles and zones in ultimate combinations, at faces and around them (EN 1992-1-1 6.4).
+
+Foundations are checked on all perimeters within 2 d (6.4.4(2)): what counts is the largest v_Ed / v_Rd over the
+distance a from the face, v_Rd = v_Rd,c 2 d / a. It is looked for from STEPS on, which all combinations have, at further
+distances where a parabola through the three largest has its top.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass, field, replace
+from functools import partial
+from itertools import pairwise
+from typing import Literal
+
+import numpy as np
+
+from groundslab.arrays import Array, made_once, made_once_by
+from groundslab.design.codes.en1992_2004 import punching as en1992
+from groundslab.design.codes.en1992_2004.checks.punching_demand import (
+    REACH,
+    SAME_DISTANCE,
+    ControlPerimeter,
+    Demand,
+    Demands,
+    Stress,
+)
+from groundslab.design.codes.en1992_2004.materials_of_case import materials
+from groundslab.design.codes.en1992_2004.perimeters import face_length, openings, share_of_thinner
+from groundslab.design.demands import line_properties, perimeter_loads
+from groundslab.design.demands.by_plate import plate_under
+from groundslab.design.demands.line_properties import Course
+from groundslab.design.demands.perimeter_loads import LoadsNear, PerimeterLoads, Places, PunchingForce
+from groundslab.design.demands.perimeters import Perimeter, SketchedPerimeter, Surroundings, perimeter_at, surroundings
+from groundslab.design.demands.zones.thicker_zones import ZoneForce, zone_forces
+from groundslab.design.demands.zones.thinner_slab import ThinnerPart, counted, thinner_parts
+from groundslab.design.rules.combinations import ultimate_results
+from groundslab.design.rules.demand_errors import error_of
+from groundslab.errors import InputError
+from groundslab.model.design.laid_bars import punching_ratio
+from groundslab.model.design.reinforcement import Reinforcement
+from groundslab.model.model import Model
+from groundslab.results.results import CombinationResult, Results
+
+#: Distances of the perimeters that are looked at first, over the effective depth.
+STEPS = np.arange(1, 9) / 4
+#: So many halvings find the last perimeter before those that cut the slab, or run out to other edges.
+HALVINGS = 7
+#: So many further distances are tried at most for the largest v_Ed / v_Rd; a gain of this share is none.
+MOST_TRIALS, GAIN = 10, 1e-4
+#: An eccentricity [m] smaller than this points nowhere.
+NO_ECCENTRICITY = 1e-9
+
+
+@made_once
+def demands(combined: Results) -> Demands:
+    """Return the demands of punching in all ultimate combinations, if bars are given; at columns."""
+    around = {name for (_, name), demand in zone_demands(combined).found.items() if demand.around}
+    zones = tuple(zone for zone in zone_forces(combined) if zone.name in around)
+    return _demands(combined, perimeter_loads.punching_columns(combined.solved_model), zones)
+
+
+@made_once
+def pile_demands(combined: Results) -> Demands:
+    """Return the demands of punching in all ultimate combinations, if bars are given; at piles."""
+    return _demands(combined, perimeter_loads.punching_piles(combined.model))
+
+
+def _demands(combined: Results, forces: tuple[PunchingForce, ...], zones: tuple[ZoneForce, ...] = ()) -> Demands:
+    """Return the demands of forces that punch the plate; zones with demands of their own take over beyond them."""
+    model, steel = combined.model, combined.model.reinforcement
+    results = ultimate_results(combined)
+    governing: dict[tuple[str, str], Demand] = {}
+    missing: dict[str, str] = {}
+    reach: dict[tuple[bool, str], float] = {}
+    if steel is None:
+        return Demands(governing, missing, {punching.name: punching.place for punching in forces}, reach)
+    make = partial(_site, steel=steel, zones=zones)
+    for punching, site, pushing in perimeter_loads.pushing_forces(results, forces, model, (_sites, make)):
+        of_combinations, why = _largest(pushing, site)
+        if why and not (punching.at_zone and any(demand.around for demand in of_combinations)):
+            missing[punching.name] = why
+        # beyond d from the face, where uniform loads are, one-way shear is checked in any case (6.2.1(8))
+        last = max((stress.distance for demand in of_combinations for stress in demand.around), default=0.0)
+        reach[punching.key] = min(max(site.d, last), reach.get(punching.key, math.inf))
+        for demand in of_combinations:
+            perimeter_loads.add_worse(governing, (demand.combination, punching.name), demand, _most_used)
+    return Demands(governing, missing, {punching.name: punching.place for punching in forces}, reach)
+
+
+def _most_used(demand: Demand) -> float:
+    """Return the largest v_Ed / v_Rd around, or v_Ed at the face where nothing is around."""
+    stress = demand.governing
+    return demand.used(stress) if stress is not None else 0.0 if demand.face is None else demand.face.v_Ed
+
+
+@made_once
+def zone_demands(combined: Results) -> Demands:
+    """Return the demands around thicker zones with columns on them (6.4.2(8) to (11)), at none of their faces."""
+    return _demands(combined, zone_forces(combined))
+
+
+@dataclass(frozen=True, slots=True)
+class _Site:
+    """A column or pile on its plate, and the perimeters around it that are known, by their distance."""
+
+    punching: PunchingForce
+    steel: Reinforcement
+    ratio: float  # of the bars in tension, or the most that count
+    d: float  # effective depth [m]
+    around: Surroundings | None
+    near: LoadsNear | None
+    thinner: tuple[ThinnerPart, ...]  # parts of the plate that perimeters may reach
+    u_0: float  # [m]
+    why: str  # it does not lie on the plate; else empty
+    zone: ZoneForce | None = None  # on which it stands, and whose perimeters are judged
+    lines: dict[float, Perimeter | str] = field(default_factory=dict)
+    controls: dict[float, ControlPerimeter | str] = field(default_factory=dict)
+
+    def line(self, distance: float) -> Perimeter | str:
+        """Return how the perimeter at a distance [m] from the face runs, or why there is none."""
+        if distance not in self.lines:
+            self.lines[distance] = self._line(distance)
+        return self.lines[distance]
+
+    def _line(self, distance: float) -> Perimeter | str:
+        if self.around is None:
+            return self.why
+        try:
+            line = perimeter_at(self.around, distance)
+        except InputError as error:
+            return str(error)
+        if distance > 0 and line.cut:
+            return CUT
+        if line_properties.straight(line.legs):
+            return STRAIGHT
+        return BEYOND if self._leaves_zone(line, distance) else line
+
+    def _leaves_zone(self, line: Perimeter, distance: float) -> bool:
+        """Return whether a perimeter, but for the first one, lies wholly outside of the zone."""
+        from shapely import MultiLineString
+
+        if self.zone is None or distance <= STEPS[0] * self.d:
+            return False
+        return bool(
+            MultiLineString(list(line.legs)).intersection(self.zone.footprint.region).length < SAME_DISTANCE * self.d
+        )
+
+    def control(self, results: CombinationResult, distance: float) -> ControlPerimeter | str:
+        """Return the perimeter at a distance [m] from the face with what is inside, or why there is none."""
+        (control,) = self.controls_at(results, [distance])
+        return control
+
+    def controls_at(self, results: CombinationResult, distances: list[float]) -> list[ControlPerimeter | str]:
+        """Return the perimeters at distances [m] from the face with what is inside, or why there are none."""
+        lines: dict[float, Perimeter] = {}
+        for distance in (each for each in distances if each not in self.controls):
+            line = self.line(distance)
+            if isinstance(line, str):
+                self.controls[distance] = line
+            else:
+                lines[distance] = line
+        if lines and self.around is not None and self.near is not None:
+            parts = [self.punching.area_inside(line, distance) for distance, line in lines.items()]
+            loads = self.near.inside_each(results, parts)
+            for (distance, line), inside in zip(lines.items(), loads, strict=True):
+                legs = counted(line.legs, self.thinner, share_of_thinner, distance, self.d)
+                control = _control((line, legs), distance, self.d, self.around, inside)
+                self.controls[distance] = control if distance > 0 else replace(control, u=self.u_0)
+        return [self.controls[distance] for distance in distances]
+
+
+#: Why there is no perimeter at some distance.
+STRAIGHT = "what openings leave of its perimeter is straight and resists no moment"
+CUT = "its control perimeters cut the slab from edge to edge, which is one-way shear"
+
+#: Why a perimeter is none of a column on a thicker zone.
+BEYOND = "the perimeters around its zone are judged instead"
+
+
+@made_once_by(lambda results, model: (results.plate.nodes, model))
+def _sites(results: CombinationResult, model: Model) -> Places[_Site]:  # noqa: ARG001
+    """Return those of the columns and piles of a model, as they are added."""
+    return {}
+
+
+def _site(
+    results: CombinationResult, punching: PunchingForce, steel: Reinforcement, zones: tuple[ZoneForce, ...]
+) -> _Site:
+    """Return a column or pile on its plate, which may be on one of the thicker zones."""
+    plate, footprint, model = plate_under(results, *punching.place), punching.footprint, results.model
+    d = punching.depth(results, steel)
+    ratio = _ratio(model, punching, steel, d)
+    try:
+        around = surroundings(plate, footprint, REACH * d, openings(d))
+    except InputError as error:
+        return _Site(punching, steel, ratio, d, None, None, (), 0.0, str(error))
+    near = perimeter_loads.loads_near(results, punching, REACH * d)
+    thinner = thinner_parts(results, around.footprint, punching.thickness(results), REACH * d)
+    on = [zone for zone in zones if set(punching.columns) & set(zone.columns)]
+    zone = min(on, key=lambda each: each.footprint.region.area, default=None)
+    return _Site(punching, steel, ratio, d, around, near, thinner, face_length(around, d), "", zone)
+
+
+def _ratio(model: Model, punching: PunchingForce, steel: Reinforcement, d: float) -> float:
+    """Return rho_l of the bars provided in tension at a column or pile (6.4.4(1)), the most if none are."""
+    if not steel.laid:
+        return en1992.MOST_BARS
+    face: Literal["bottom", "top"] = "top" if punching.from_below else "bottom"
+    return punching_ratio(model.plate, steel, punching.column, d, model.plates, face)
+
+
+def _control(
+    lines: tuple[Perimeter, Array], distance: float, d: float, around: Surroundings, loads: PerimeterLoads
+) -> ControlPerimeter:
+    """Return a perimeter and what counts of its legs (l, 2, 2) with what EN 1992-1-1 needs of it."""
+    from shapely import get_coordinates
+
+    line, legs = lines
+    course = line_properties.course(line.ring, around.axes)
+    center = line_properties.centroid(legs)
+    frame = course.frame
+    points = get_coordinates(around.footprint)
+    c_1, c_2 = np.ptp(points @ frame.T, axis=0)
+    reduced = reduced_share(legs, points, course, d) if course.shape == "edge" else 1.0
+    return ControlPerimeter(
+        distance,
+        line_properties.total_length(legs),
+        center,
+        course,
+        line_properties.moduli(legs @ frame.T, frame @ center),
+        np.array([en1992.transfer_share(c_1 / c_2), en1992.transfer_share(c_2 / c_1)]),
+        reduced,
+        line.opened or legs is not line.legs,
+        loads,
+        SketchedPerimeter(line, line.legs, around.center),
+    )
+
+
+def reduced_share(legs: Array, footprint: Array, course: Course, d: float) -> float:
+    """Return u_1* / u_1 of legs (l, 2, 2) at an edge around a footprint's points (k, 2), by Figure 6.20a.
+
+    Of legs at a right angle to the edge the least of 1.5 d and half of the column's side counts, from its inner face.
+    """
+    inward = course.frame[1] * (np.sign(course.frame[1] @ course.inward.sum(axis=0)) or 1.0)
+    across = footprint @ inward
+    least = across.max() - min(1.5 * d, 0.5 * np.ptp(across))
+    start, end = legs[:, 0] @ inward - least, legs[:, 1] @ inward - least
+    length = line_properties.lengths(legs)
+    size = np.abs(start) + np.abs(end)
+    # of a leg that crosses the limit, the part beyond it
+    beyond = np.divide(np.maximum(start, 0) + np.maximum(end, 0), size, out=np.zeros_like(size), where=size > 0)
+    return float(length @ beyond / length.sum())
+
+
+def _largest(results: list[CombinationResult], site: _Site) -> tuple[list[Demand], str]:
+    """Return the demands of combinations on perimeters so chosen that the largest v_Ed / v_Rd of all is among them.
+
+    With the reason why there is none at all; farther out they may cut the slab, or leave a pad.
+    """
+    first = results[0]
+    face = "no column" if site.punching.at_zone else site.control(first, 0.0)
+    distances, why = _first_distances(site)
+    made = [_demand(result, site, face, distances) for result in results]
+    for _ in range(MOST_TRIALS):
+        distance = _next_distance(made, site.d)
+        if distance is None or isinstance(control := site.control(first, distance), str):
+            break
+        made = [_with_perimeter(demand, result, site, control) for demand, result in zip(made, results, strict=True)]
+    return made, why
+
+
+def _first_distances(site: _Site) -> tuple[list[float], str]:
+    """Return the distances [m] of perimeters that there are, up to the last one, and why there are none.
+
+    Where perimeters begin to run out to an edge the part inside jumps: the distances on both sides are among them.
+    """
+    good: list[float] = []
+    steps = [float(distance) for distance in STEPS * site.d]
+    for before, distance in pairwise([0.0, *steps]):
+        line, known = site.line(distance), site.line(before)
+        if isinstance(line, str):
+            last, _ = _halved(before, distance, lambda a: not isinstance(site.line(a), str))
+            good += [last] if last > before else []
+            return [*dict.fromkeys(good)], "" if good else line
+        if good and not isinstance(known, str) and known.setbacks != line.setbacks:
+            good += _halved(before, distance, partial(_runs_out_to, site, known.setbacks))
+        good.append(distance)
+    return [*dict.fromkeys(good)], ""
+
+
+def _runs_out_to(site: _Site, setbacks: tuple[float, ...], distance: float) -> bool:
+    """Return whether the perimeter at a distance [m] runs out to edges of these setbacks [m] and no others."""
+    line = site.line(distance)
+    return not isinstance(line, str) and line.setbacks == setbacks
+
+
+def _halved(low: float, high: float, holds: Callable[[float], bool]) -> tuple[float, float]:
+    """Return two distances [m] closer to each other, at the lower of which something still holds."""
+    for _ in range(HALVINGS):
+        middle = (low + high) / 2
+        low, high = (middle, high) if holds(middle) else (low, middle)
+    return low, high
+
+
+def _next_distance(made: list[Demand], d: float) -> float | None:
+    """Return where v_Ed / v_Rd may be larger than at all distances tried yet [m], None if nowhere."""
+    governing = [(demand, stress) for demand in made if (stress := demand.governing) is not None]
+    if not governing:
+        return None
+    demand, top = max(governing, key=lambda one: one[0].used(one[1]))
+    a = np.array([0.0, *(stress.distance for stress in demand.around)])
+    y = np.array([0.0, *map(demand.used, demand.around)])
+    i = int(np.argmax(y))
+    if y[i] <= 0:
+        return None
+    middle = min(i, len(a) - 2)
+    three = slice(middle - 1, middle + 2) if middle > 0 else slice(0, 0)
+    highest, gain = _top(a[three], y[three])
+    if gain > GAIN * y[i] and abs(a - highest).min() > SAME_DISTANCE * d:
+        return highest
+    # a kink looks like a flat top to a parabola whose points are far apart
+    wide = max(((high - low, (low + high) / 2) for low, high in pairwise(a[max(i - 1, 0) : i + 2])), default=(0.0, 0.0))
+    return wide[1] if wide[0] > d / 6 and top.distance < a[-1] else None
+
+
+def _top(a: Array, y: Array) -> tuple[float, float]:
+    """Return where a parabola through three points (3,) is highest between them, and by how much above them."""
+    if len(a) < 3:
+        return float(a[-1]) if len(a) else 0.0, 0.0
+    slopes = np.diff(y) / np.diff(a)
+    second = float((slopes[1] - slopes[0]) / (a[2] - a[0]))  # y = y_0 + slope (a - a_0) + second (a - a_0) (a - a_1)
+    if second >= 0:
+        return float(a[1]), 0.0
+    at = float(np.clip((a[0] + a[1]) / 2 - slopes[0] / (2 * second), a[0], a[-1]))
+    return at, float(y[0] + (at - a[0]) * (slopes[0] + second * (at - a[1]))) - float(y.max())
+
+
+def _demand(results: CombinationResult, site: _Site, face: ControlPerimeter | str, distances: list[float]) -> Demand:
+    """Return the demand of a combination on perimeters at distances [m] and at the face."""
+    controls = [control for control in site.controls_at(results, distances) if not isinstance(control, str)]
+    stresses = tuple(_stress(results, site, control) for control in controls)
+    concrete, bars = materials(site.steel, results.limit_state)
+    ratio = min(site.ratio, en1992.most_bars(concrete, bars))
+    v_Rd_c = en1992.resistance_without_links(concrete, site.d, ratio)
+    force = float(site.punching.pushing(results)[0])
+    at_face = None if isinstance(face, str) else _face_stress(results, site, face, controls[-1] if controls else face)
+    about = site.punching.name, results.combination, results.limit_state, force, site.d
+    return Demand(*about, v_Rd_c, at_face, stresses, ratio, site.punching.pulls)
+
+
+def _with_perimeter(demand: Demand, results: CombinationResult, site: _Site, control: ControlPerimeter) -> Demand:
+    """Return a demand with one more perimeter."""
+    around = sorted([*demand.around, _stress(results, site, control)], key=lambda stress: stress.distance)
+    return replace(demand, around=tuple(around))
+
+
+def _stress(results: CombinationResult, site: _Site, control: ControlPerimeter) -> Stress:
+    """Return the demand on a perimeter in a combination.
+
+    beta is that of the moments of all forces inside about the perimeter's center, of loads and pressure.
+    """
+    shear = perimeter_loads.punching_shear(
+        results, control.loads, site.punching, control.center, edge_relieves=site.steel.line_force_relieves
+    )
+    pushing = site.punching.pushing(results)
+    alone = shear.V <= 0 or perimeter_loads.only_turns(pushing)
+    raised = _raised(site, control, shear.moments, shear.V, None if alone else pushing[1:])
+    beta = None if alone else raised / shear.V
+    turned = control.course.frame @ shear.moments
+    v_Ed = raised / (control.u * site.d)
+    return Stress(
+        control.distance,
+        control.u,
+        shear.V,
+        beta,
+        v_Ed,
+        shear.supported,
+        shear.pressure,
+        shear.edge,
+        shear.others,
+        lambda: error_of(results, lambda mesh: _stress(mesh, site, control).v_Ed),
+        control,
+        (float(turned[0]), float(turned[1])),
+    )
+
+
+def _face_stress(results: CombinationResult, site: _Site, face: ControlPerimeter, outer: ControlPerimeter) -> Stress:
+    """Return the demand at the face (6.4.5(3)), beta that of the own force and moments on the outermost perimeter.
+
+    Where no force acts, or none is left, what the moments add there counts.
+    """
+    stress = _stress(results, site, face)
+    pushing = site.punching.pushing(results)
+    force, applied = float(pushing[0]), pushing[1:]
+    moments = applied + force * (np.array(site.punching.place) - outer.center)
+    alone = stress.V_Ed <= 0 or perimeter_loads.only_turns(pushing)
+    beta = None if alone else _raised(site, outer, moments, force, applied) / force
+    raised = stress.V_Ed + _raised(site, outer, moments, 0.0, None) if beta is None else beta * stress.V_Ed
+    return replace(
+        stress,
+        beta=beta,
+        v_Ed=raised / (face.u * site.d),
+        error=lambda: error_of(results, lambda mesh: _face_stress(mesh, site, face, outer).v_Ed),
+    )
+
+
+def _raised(site: _Site, control: ControlPerimeter, moments: Array, force: float, applied: Array | None) -> float:
+    """Return beta times a force [N] of moments (2,) [N m] along x and y about a perimeter's center (6.4.3, 6.4.4(2)).
+
+    Values for edges and corners (6.4.3(4) and (5), Figure 6.21N) are for perimeters without openings and for moments
+    `applied` (2,) [N m] of the column that do not bend it outwards; else 6.39 counts, if it is larger, and without them
+    it counts alone, as no force pushes. None is less than that of the annex.
+    """
+    least = materials(site.steel)[0].annex.least_beta * force
+    turned, shape = control.course.frame @ moments, control.course.shape
+    general = en1992.raised(list(turned), list(control.shares), force, control.u, list(control.moduli))
+    if applied is None:
+        return general
+    if shape == "closed":
+        return max(least, general)
+    simple = en1992.CORNER * force
+    if shape == "edge":
+        along, share, W = float(turned[0]), float(control.shares[0]), float(control.moduli[0])
+        simple = en1992.raised_at_an_edge(control.reduced, along, share, force, control.u, W)
+    outwards = (control.course.inward @ applied < -NO_ECCENTRICITY * force).any()
+    return max(least, simple, general) if control.opened or outwards else max(least, simple)

@@ -1,0 +1,245 @@
+"""Links that punching by EN 1992-1-1 takes at columns, piles and ends of walls: their perimeters (6.4.5, 9.4.3).
+
+    A_sw = (v_Ed - 0.75 v_Rd) u d / (n_s f_ywd,ef)       on each perimeter, the largest of all where v_Ed > v_Rd, 6.52
+    0.3 d <= s_0 <= 0.5 d, s_r <= 0.75 d                 from the face, and from one to the next, Figure 9.10
+    s_t <= 1.5 d within 2 d, 2 d beyond                  of legs along a perimeter, 9.4.3(1), and by 9.11
+    a_out - 1.5 d                                        as far as the last one lies at least, 6.4.5(4)
+
+with two perimeters at least (9.4.3(1)), and no fewer than the n_s = 1.5 d / s_r that 6.52 counts on; of a section
+closer than 2 d only those within it count. By DIN EN 1992-1-1/NA the first two carry all of the force, each a half, and
+each further one has 33 % of both.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from functools import partial
+from itertools import chain
+from typing import TYPE_CHECKING
+
+from groundslab.arrays import Array
+from groundslab.design.codes.en1992_2004 import punching as en1992
+from groundslab.design.codes.en1992_2004.checks.governing_perimeters import demands, pile_demands, zone_demands
+from groundslab.design.codes.en1992_2004.checks.punching import limited_with_links
+from groundslab.design.codes.en1992_2004.checks.punching_demand import (
+    FARTHEST,
+    REACH,
+    TOO_FAR,
+    Demand,
+    Demands,
+    Stress,
+    outer,
+)
+from groundslab.design.codes.en1992_2004.checks.wall_ends import at_ends, wall_demands
+from groundslab.design.codes.en1992_2004.materials_of_case import materials
+from groundslab.design.codes.en1992_2004.perimeters import openings
+from groundslab.design.demands.by_plate import plate_under
+from groundslab.design.demands.perimeter_loads import (
+    PunchingForce,
+    footprint_of,
+    punching_columns,
+    punching_piles,
+    thickness_at,
+)
+from groundslab.design.demands.perimeters import (
+    FAR,
+    Surroundings,
+    outline,
+    outside,
+    perimeter_at,
+    shadow_of,
+    surroundings,
+)
+from groundslab.design.demands.wall_perimeters import LoadedArea, course
+from groundslab.design.demands.zones.thicker_zones import zone_forces
+from groundslab.design.rules.combinations import ultimate_results
+from groundslab.design.rules.punching_links.demand import (
+    Arrangement,
+    LinkDemand,
+    LinkRow,
+    Support,
+    rounded_down,
+    rounded_up,
+)
+from groundslab.design.rules.wall_ends import loaded_ends
+from groundslab.messages import Message
+from groundslab.model.design.reinforcement import Reinforcement
+from groundslab.results.results import CombinationResult, Results
+
+if TYPE_CHECKING:
+    from shapely.geometry.base import BaseGeometry
+
+#: The first perimeter is no closer to the face than this over the effective depth (Figure 9.10).
+FIRST = 0.3
+#: A closer radial distance that is tried too, over the effective depth.
+CLOSER = 0.5
+#: Legs along a perimeter within REACH and beyond are no farther apart than this over the effective depth (9.4.3(1)).
+ALONG, ALONG_BEYOND = 1.5, 2.0
+#: 6.52 counts on the perimeters within this over the effective depth: there are as many.
+CROSSED = 1.5
+#: Perimeters of links, at least (9.4.3(1)).
+LEAST_ROWS = 2
+#: A slab with links is at least so thick [m] (9.3.2(1)).
+LEAST_THICKNESS = 0.2
+CLAUSES = "EN 1992-1-1 6.4.5, 9.4.3"
+
+
+@dataclass(frozen=True, slots=True)
+class _Required:
+    """The links that all combinations need around one column, pile or end of a wall."""
+
+    combination: str  # that needs most
+    needs: tuple[tuple[float, float], ...]  # areas of all links that count [m2], and the sections' distances [m]
+    last: float  # how far from the face the last one is at least [m]
+
+
+def links(combined: Results, steel: Reinforcement) -> Iterator[LinkDemand]:
+    """Yield the columns, piles, zones and ends of walls that need links, with perimeters, or why they do not help."""
+    results = ultimate_results(combined)
+    if not results:
+        return
+    model = combined.model
+    yield from _of_forces(results[0], steel, "column", punching_columns(combined.solved_model), demands(combined))
+    yield from _of_forces(results[0], steel, "pile", punching_piles(model), pile_demands(combined))
+    yield from _of_forces(results[0], steel, "zone", zone_forces(combined), zone_demands(combined))
+    if loaded_ends(model):
+        yield from _of_walls(combined, steel)
+
+
+def _of_forces(
+    first: CombinationResult,
+    steel: Reinforcement,
+    support: Support,
+    forces: Sequence[PunchingForce],
+    punched: Demands,
+) -> Iterator[LinkDemand]:
+    """Yield the columns, piles or zones that need links."""
+    for punching in forces:
+        found = [demand for demand in punched.found.values() if demand.name == punching.name]
+        required = _required(steel, found)
+        if required is None:
+            continue
+        # by the axes of the bars at either face where it pushes in some combinations and pulls in others
+        d, thickness = min(demand.d for demand in found), punching.thickness(first)
+        arrangement: Arrangement | str = _refused(steel, found, thickness, at_face=support != "zone") or _too_far(
+            required, d
+        )
+        if not arrangement:
+            plate = plate_under(first, *punching.place)
+            around = surroundings(plate, punching.footprint, REACH * d, openings(d))
+            arrangement = Arrangement(thickness, _options(steel, required, d), partial(_legs, around), around.plan)
+        yield LinkDemand(support, punching.name, punching.place, required.combination, CLAUSES, arrangement)
+
+
+def _of_walls(combined: Results, steel: Reinforcement) -> Iterator[LinkDemand]:
+    """Yield the ends and corners of walls that need links."""
+    punched = wall_demands(combined)
+    some = at_ends(combined, steel)
+    for name, (site, results) in {each.site.end.name: (each.site, each.results) for each in some}.items():
+        found = [demand for demand in punched.found.values() if demand.name == name]
+        required = _required(steel, found)
+        if required is None:
+            continue
+        footprint = footprint_of(site.column)
+        thickness = thickness_at(results, footprint)
+        arrangement: Arrangement | str = _refused(steel, found, thickness, at_face=False) or _too_far(required, site.d)
+        if not arrangement:
+            plan, around = outline(plate_under(results, *site.end.place)), footprint.footprint()
+            far = FAR * (required.last + 2 * REACH * site.d + math.sqrt(around.area))
+            shadow = shadow_of(plan, around, site.area.center, openings(site.d), far)
+            lines = partial(_wall_legs, site.area, shadow)
+            arrangement = Arrangement(thickness, _options(steel, required, site.d), lines, plan)
+        yield LinkDemand("wall end", name, site.end.place, required.combination, CLAUSES, arrangement)
+
+
+def _legs(around: Surroundings, distance: float) -> Array:
+    """Return the pieces (l, 2, 2) [m] that count of the perimeter at a distance [m] from a column or pile."""
+    return perimeter_at(around, distance).legs
+
+
+def _wall_legs(area: LoadedArea, shadow: BaseGeometry, distance: float) -> Array:
+    """Return those of the perimeter at a distance [m] from the end of a wall, also beyond the slab."""
+    return outside(course(area, distance).legs, shadow)
+
+
+def _required(steel: Reinforcement, found: list[Demand]) -> _Required | None:
+    """Return what the demands of all combinations need, None where none needs links."""
+    some = [(demand, needing) for demand in found if (needing := _needing(demand))]
+    if not some:
+        return None
+    needs = {demand.combination: _needs(steel, demand, needing) for demand, needing in some}
+    combination = max(needs, key=lambda name: max(area for area, _ in needs[name]))
+    last = max(outer(demand).last_links(demand.d) for demand, _ in some)
+    return _Required(combination, tuple(chain.from_iterable(needs.values())), last)
+
+
+def _needing(demand: Demand) -> list[Stress]:
+    """Return the perimeters of a demand on which concrete alone does not resist."""
+    return [stress for stress in demand.around if stress.v_Ed > demand.resistance(stress) and not stress.supported]
+
+
+def _needs(steel: Reinforcement, demand: Demand, needing: list[Stress]) -> list[tuple[float, float]]:
+    """Return what each section needs of all links that count [m2], and its distance [m]; alone, the worst does."""
+    concrete, bars = materials(steel, demand.limit_state)
+    if concrete.annex.links_alone:
+        worst = max(needing, key=demand.used)
+        return [(en1992.links_alone(worst.v_Ed * worst.u * demand.d, demand.d, bars.f_yd), worst.distance)]
+    return [
+        (
+            en1992.links_per_perimeter(stress.v_Ed, demand.resistance(stress), stress.u, demand.d, 1.0, bars.f_yd),
+            stress.distance,
+        )
+        for stress in needing
+    ]
+
+
+def _refused(steel: Reinforcement, found: list[Demand], thickness: float, *, at_face: bool) -> str:
+    """Return why links do not help or are not allowed; empty if they are."""
+    for demand in found:
+        concrete = materials(steel, demand.limit_state)[0]
+        most = en1992.max_resistance(concrete)
+        face = demand.face
+        if most is not None and face is not None and face.v_Ed > most and not face.supported:
+            return Message(
+                "links do not help: v_Ed is {v_Ed:.3g} v_Rd,max at the face (6.4.5(3))", v_Ed=face.v_Ed / most
+            )
+        for _, stress, limit in limited_with_links(demand, concrete.annex, at_face=at_face):
+            if stress.v_Ed > limit and not stress.supported:
+                k_max = concrete.annex.k_max
+                return Message("links do not suffice: v_Ed is more than {k_max:g} v_Rd,c (6.4.5(1))", k_max=k_max)
+    return "the slab is thinner than 200 mm, too thin for links (9.3.2(1))" if thickness < LEAST_THICKNESS else ""
+
+
+def _too_far(required: _Required, d: float) -> str:
+    """Return why links cannot end anywhere, as perimeters hardly grow outwards; empty if they can."""
+    return TOO_FAR if required.last > FARTHEST * d else ""
+
+
+def _options(steel: Reinforcement, required: _Required, d: float) -> Callable[[float], Iterator[tuple[LinkRow, ...]]]:
+    """Return the perimeters that a diameter may have, for each radial distance."""
+    concrete, bars = materials(steel)
+    annex = concrete.annex
+    first, most_apart, further = annex.link_rows
+    start = max(rounded_down(first * d), rounded_up(FIRST * d))
+
+    def options(diameter: float) -> Iterator[tuple[LinkRow, ...]]:
+        if diameter > annex.thickest_link * d:
+            return
+        for share in sorted({most_apart, min(CLOSER, most_apart)}, reverse=True):
+            s_r = rounded_down(share * d)
+            counted = LEAST_ROWS if annex.links_alone else max(LEAST_ROWS, round(CROSSED / share))
+            count = max(counted, 1 + math.ceil((required.last - start) / s_r - 1e-9))
+            widest = en1992.widest_legs(math.pi * diameter**2 / 4, s_r, concrete, bars)
+            rows = []
+            alone = max(area for area, _ in required.needs)
+            shared = max(area / en1992.links_that_count(a, start, s_r, d) for area, a in required.needs)
+            for number in range(count):
+                distance = start + number * s_r
+                along = (ALONG if distance <= REACH * d else ALONG_BEYOND) * d
+                area = alone * (0.5 if number < LEAST_ROWS else further) if annex.links_alone else shared
+                rows.append(LinkRow(distance, area, min(along, widest)))
+            yield tuple(rows)
+
+    return options

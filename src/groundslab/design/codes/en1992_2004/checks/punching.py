@@ -1,0 +1,320 @@
+"""Punching by EN 1992-1-1 6.4 of columns, piles, zones and walls' ends: at faces, within 2 d, and its links."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+from functools import partial
+from typing import Any, NamedTuple
+
+from groundslab.design.codes.en1992_2004 import punching as en1992
+from groundslab.design.codes.en1992_2004.annex import Annex
+from groundslab.design.codes.en1992_2004.checks.governing_perimeters import CUT, demands, pile_demands, zone_demands
+from groundslab.design.codes.en1992_2004.checks.punching_demand import (
+    LAST_LINKS,
+    TOO_FAR,
+    Demand,
+    Demands,
+    Stress,
+    outer,
+)
+from groundslab.design.codes.en1992_2004.checks.wall_ends import wall_demands
+from groundslab.design.codes.en1992_2004.materials_of_case import materials
+from groundslab.design.demands.perimeter_loads import punching_piles
+from groundslab.design.demands.zones.thicker_zones import NONE, zone_forces
+from groundslab.design.rules.check import DesignCheck, Status
+from groundslab.design.rules.demand_errors import error_of_ratio, scaled
+from groundslab.design.rules.punching import judged, with_the_rest, with_way
+from groundslab.design.rules.wall_ends import NO_WALL, loaded_ends
+from groundslab.messages import Clause, Message, Name
+from groundslab.model.design.reinforcement import Reinforcement
+from groundslab.results.results import Results
+
+#: How many perimeters of links there are at least (9.4.3(1)).
+LEAST_PERIMETERS = 2
+
+
+class Judged(NamedTuple):
+    """A demand, the stress on one of its perimeters, and what resists it there."""
+
+    demand: Demand
+    stress: Stress
+    resistance: float  # [Pa]
+
+    @property
+    def name(self) -> str:
+        """Return what punches."""
+        return self.demand.name
+
+    @property
+    def supported(self) -> bool:
+        """Return whether another support acts inside."""
+        return self.stress.supported
+
+    @property
+    def share(self) -> float:
+        """Return the stress over what resists it."""
+        return self.stress.v_Ed / self.resistance
+
+
+class Names(NamedTuple):
+    """How checks call what punches."""
+
+    face: str  # empty where it is not judged
+    within: str
+    one: str
+    many: str
+    none: str  # where nothing pushes
+
+
+COLUMNS = Names(
+    "punching at the column's face", "punching within 2 d", "column", "columns", "no column pushes or pulls"
+)
+PILES = Names(
+    "punching at the pile's face", "punching over piles within 2 d", "pile", "piles", "no pile pushes or pulls"
+)
+WALLS = Names(
+    "", "punching at walls' ends within 2 d", "wall end", "wall ends",
+    NO_WALL,
+)  # fmt: skip
+
+ZONES = Names(
+    "", "punching around thicker zones within 2 d", "thicker zone", "thicker zones",
+    NONE,
+)  # fmt: skip
+
+
+def checks(combined: Results) -> Iterator[DesignCheck]:
+    """Yield the checks of punching over all ultimate combinations."""
+    steel = combined.model.reinforcement
+    assert steel is not None
+    if combined.model.columns:
+        yield from _checks(steel, demands(combined), COLUMNS)
+    if punching_piles(combined.model):
+        yield from _checks(steel, pile_demands(combined), PILES)
+    if zone_forces(combined):
+        yield from _within_2d(steel, zone_demands(combined), ZONES)
+    if loaded_ends(combined.model):
+        yield from _within_2d(steel, wall_demands(combined), WALLS)
+
+
+def _checks(steel: Reinforcement, punched: Demands, names: Names) -> Iterator[DesignCheck]:
+    """Yield the checks at faces and around."""
+    if en1992.max_resistance(materials(steel)[0]) is not None:
+        yield from _face(steel, punched, names)
+    yield from _within_2d(steel, punched, names)
+
+
+def _face(steel: Reinforcement, punched: Demands, names: Names) -> Iterator[DesignCheck]:
+    """Yield whether punching exceeds v_Rd,max at any face (EN 1992-1-1 6.4.5(3)), which is limited."""
+    stresses = [
+        Judged(demand, demand.face, en1992.max_resistance(materials(steel, demand.limit_state)[0]) or 0.0)
+        for demand in punched.found.values()
+        if demand.face is not None
+    ]
+    those, supported = judged(stresses, _share)
+    check = None
+    if those:
+        check = with_way(_punching(names.face, names, "v_Rd,max", those, punched, "fails", "6.4.5(3)"), punched.found)
+    elif punched.missing and not supported:
+        return  # whoever has no face has no perimeter around, where this is said
+    yield from with_the_rest(check, names.face, (names.many, names.none, CUT), supported, {})
+
+
+def _within_2d(steel: Reinforcement, punched: Demands, names: Names) -> Iterator[DesignCheck]:
+    """Yield whether punching within 2 d needs links, or exceeds what they can carry.
+
+    With the bars provided in tension, or with the most that count, whatever will be laid. What links can carry is
+    limited at 2 d, or on all perimeters where the face has no limit of its own, as at ends of walls.
+    """
+    name = names.within
+    annex = materials(steel)[0].annex
+    found, at_face = punched.found.values(), bool(names.face)
+    around = [Judged(demand, stress, demand.resistance(stress)) for demand in found for stress in demand.around]
+    there, supported = judged(around, _share)
+    rest = partial(with_the_rest, name=name, called=(names.many, names.none, CUT))
+    if not there:
+        yield from rest(None, supported=supported, missing=punched.missing)
+        return
+    counted = {id(each.stress) for each in there}
+    limited = (each for demand in found for each in limited_with_links(demand, annex, at_face=at_face))
+    most = [each for each in limited if id(each.stress) in counted]
+    check = with_way(_judged_within_2d(steel, punched, names, there, most), punched.found)
+    yield from rest(check, supported=supported, missing=punched.missing)
+
+
+def _judged_within_2d(
+    steel: Reinforcement, punched: Demands, names: Names, there: list[Judged], most: list[Judged]
+) -> DesignCheck:
+    """Return the check of perimeters without links, and of those on which links are limited."""
+    name = names.within
+    which = "the bars provided" if steel.laid else "the largest ratio that counts"
+    limit = Message("{k_max:g} v_Rd,c with {which}", k_max=materials(steel)[0].annex.k_max, which=which)
+    without = _punching(name, names, Message("v_Rd with {which}", which=which), there, punched, "attention", "6.4.4(2)")
+    needing = [each for each in there if each.share > 1]
+    if most:
+        with_links = _punching(name, names, limit, most, punched, "fails", "6.4.5(1)")
+        if with_links.status == "fails":
+            beyond = {each.name for each in most if each.share > 1}
+            return replace(with_links, words=with_links.words + _more({each.name for each in needing} - beyond, names))
+        if with_links.hangs:
+            low, high = with_links.between or (0.0, 0.0)
+            words = Message(
+                "{text}; {low:.3g} to {high:.3g} times {limit}, within the error",
+                text=without.words,
+                low=low,
+                high=high,
+                limit=limit,
+            )
+            without = replace(without, words=words)
+    if not needing:
+        return without if steel.laid else _without_bars(steel, without, there)
+    worst = max(needing, key=_share)
+    if outer(worst.demand).is_too_far(worst.demand.d):
+        return replace(
+            without,
+            words=Message("punching reinforcement is needed at {text}; {too_far}", text=without.words, too_far=TOO_FAR),
+        )
+    links, reach = _links(steel, worst), _outer(worst.demand, names)
+    return replace(
+        without,
+        words=Message(
+            "punching reinforcement is needed at {text}; {links}, {reach}", text=without.words, links=links, reach=reach
+        ),
+    )
+
+
+def _share(each: Judged) -> float:
+    return each.share
+
+
+def limited_with_links(demand: Demand, annex: Annex, *, at_face: bool) -> list[Judged]:
+    """Return the perimeters of a demand on which links are limited by k_max v_Rd,c, and this limit (6.4.5(1)).
+
+    That is the outermost one, or all of them where the face has no limit of its own, by the annex or at walls.
+    """
+    stresses = demand.around[-1:] if annex.face and at_face else demand.around
+    return [Judged(demand, stress, annex.k_max * demand.resistance(stress)) for stress in stresses]
+
+
+def _without_bars(steel: Reinforcement, check: DesignCheck, there: list[Judged]) -> DesignCheck:
+    """Return a check that holds with the most bars as one that needs attention, if it asks for any: none are laid."""
+    ratios = [
+        (en1992.required_ratio(materials(steel, demand.limit_state)[0], demand.d, stress.v_Ed * share), demand)
+        for demand, stress, _ in there
+        for share in [demand.v_Rd_c / demand.resistance(stress)]
+    ]
+    ratio, demand = max(ratios, key=lambda one: one[0], default=(0.0, None))
+    if demand is None or not ratio:
+        return check
+    needs = Message(
+        "{name} needs bars in tension of {ratio:.2g} % of the section, and none are provided",
+        name=Name(demand.name),
+        ratio=100 * ratio,
+    )
+    return replace(check, status="attention", words=Message("{needs}: {text}", needs=needs, text=check.words))
+
+
+def _more(needing: set[str], names: Names) -> str:
+    """Return in words which others need links, beside those that links cannot help."""
+    listed = Name(", ".join(sorted(needing)[:6]) + (" ..." if len(needing) > 6 else ""))
+    return (
+        Message(
+            "; punching reinforcement is needed at {number} other {supports}: {names}",
+            number=len(needing),
+            supports=names.many,
+            names=listed,
+        )
+        if needing
+        else ""
+    )
+
+
+def _links(steel: Reinforcement, worst: Judged) -> str:
+    """Return the links that a perimeter needs, in words."""
+    demand, stress, resistance = worst
+    concrete, bars = materials(steel, demand.limit_state)
+    if concrete.annex.links_alone:
+        A_sw = en1992.links_alone(stress.v_Ed * stress.u * demand.d, demand.d, bars.f_yd)
+        return Message(
+            "there {A_sw:.3g cm2} of vertical links in the two inner rows together (6.4.5(1) of the annex)",
+            A_sw=A_sw * 1e4,
+        )
+    s_r = concrete.annex.link_rows[1] * demand.d
+    first = concrete.annex.link_rows[0] * demand.d
+    count = en1992.links_that_count(stress.distance, first, s_r, demand.d)
+    A_sw = en1992.links_per_perimeter(stress.v_Ed, resistance, stress.u, demand.d, count, bars.f_yd)
+    return Message(
+        "there {A_sw:.3g cm2} of vertical links on each perimeter, {s_r:.2f m} apart (6.4.5(1), 9.4.3)",
+        A_sw=A_sw * 1e4,
+        s_r=s_r,
+    )
+
+
+def _outer(demand: Demand, names: Names) -> str:
+    """Return in words where links are needed no more."""
+    beyond = outer(demand)
+    return Message(
+        "to within {reach:.2f m} of the perimeter beyond which none are needed, u_out {u:.2f m} "
+        "long, {distance:.2f m} from the {support} (6.4.5(4), 6.54)",
+        reach=LAST_LINKS * demand.d,
+        u=beyond.u,
+        distance=beyond.distance,
+        support=names.one,
+    )
+
+
+def _at(stress: Stress, d: float) -> str:
+    """Return where a perimeter runs."""
+    return Message(" at {distance:.2g} d", distance=stress.distance / d) if stress.distance else ""
+
+
+def _with(stress: Stress) -> str:
+    """Return in words how moments count."""
+    return "by moments" if stress.beta is None else Message("with beta {beta:.2f}", beta=stress.beta)
+
+
+def _punching(
+    name: str, names: Names, limit: str, stresses: list[Judged], punched: Demands, status: Status, clause: str
+) -> DesignCheck:
+    """Return whether any stress exceeds its limit, with the worst."""
+    beyond = [each for each in stresses if each.share > 1]
+    demand, stress, most = worst = max(stresses, key=_share)
+    beside = [each for each in stresses if each.demand.combination == demand.combination]
+    error = error_of_ratio((each.stress.v_Ed, each.resistance, each.stress.error) for each in beside)
+    numbers: dict[str, Any] = {
+        "of": demand.name,
+        "demand": max(stress.v_Ed, 0.0) / 1e6,
+        "resistance": most / 1e6,
+        "unit": "MPa",
+        "clause": f"EN 1992-1-1 {clause}",
+        "combination": demand.combination,
+        "place": punched.places[demand.name],
+        "error": scaled(error, most / 1e6),
+    }
+    if beyond:
+        count = len({each.name for each in beyond})
+        words = Message(
+            '{count} {many}; worst {name} in "{combination}": v_Ed {v_Ed:.3g MPa}{at}, {moments}, is '
+            "{share:.3g} times {most:.3g MPa}, {limit} ({clause})",
+            count=count,
+            many=names.many if count > 1 else names.one,
+            name=Name(demand.name),
+            combination=Name(demand.combination),
+            v_Ed=stress.v_Ed / 1e6,
+            at=_at(stress, demand.d),
+            moments=_with(stress),
+            share=worst.share,
+            most=most / 1e6,
+            limit=limit,
+            clause=Clause(clause),
+        )
+        return DesignCheck(name, status, words, **numbers)
+    words = Message(
+        "v_Ed is at most {share:.3g} % of {limit}, {name}{at}",
+        share=100 * max(worst.share, 0.0),
+        limit=limit,
+        name=Name(demand.name),
+        at=_at(stress, demand.d),
+    )
+    return DesignCheck(name, "no failure found", words, **numbers)

@@ -1,0 +1,109 @@
+"""Punching at ends and corners of walls by EN 1992-1-1 6.4.4(2): the demands within 2 d, and their table.
+
+EN 1992-1-1 has no figure for them. Perimeters and beta are those of DIN EN 1992-1-1/NA (Figures NA.6.12.1, NA.6.21.1)
+with every annex. At the face nothing is judged: what presses there on the slab goes straight down in part.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import partial
+
+import numpy as np
+
+from groundslab.arrays import made_once
+from groundslab.design.codes.en1992_2004 import punching as en1992
+from groundslab.design.codes.en1992_2004.checks.punching_demand import Demand, Demands, Stress
+from groundslab.design.codes.en1992_2004.materials_of_case import materials
+from groundslab.design.codes.en1992_2004.perimeters import openings, share_of_thinner
+from groundslab.design.rules.punching import Heads, PunchingColumns
+from groundslab.design.rules.wall_ends import WallPunching, punching_walls
+from groundslab.messages import Message
+from groundslab.model.design.laid_bars import punching_ratio
+from groundslab.model.design.reinforcement import Reinforcement
+from groundslab.results.results import Results
+
+#: Distances of the perimeters over the effective depth. Nearer to a wall than half of it the shear force of a plate is
+#: not that of a slab.
+STEPS = np.arange(4, 17) / 8
+
+_HEADS: Heads = (
+    ("d", "mm"), ("a", "m"), ("V_Ed at a", "kN"), ("u at a", "m"), ("beta", ""), ("v_Ed at a", "MPa"),
+    ("v_Rd at a", "MPa"), ("v_Ed / v_Rd", ""),
+)  # fmt: skip
+
+
+def at_ends(combined: Results, steel: Reinforcement) -> Iterator[WallPunching]:
+    """Yield what punches at ends and corners of walls in all ultimate combinations."""
+    return punching_walls(combined, steel, STEPS, lambda _, d: openings(d), share=share_of_thinner)
+
+
+@made_once
+def wall_demands(combined: Results) -> Demands:
+    """Return the demands of punching at ends and corners of walls in all ultimate combinations, if bars are given."""
+    steel = combined.model.reinforcement
+    if steel is None:
+        return Demands({}, {}, {}, {})
+    model = combined.model
+    some = [*at_ends(combined, steel)]
+    sites = {(each.site.end.name, each.site.pulls): each.site for each in some}
+    ratios = {
+        key: punching_ratio(model.plate, steel, site.column, site.d, model.plates, site.face)
+        if steel.laid
+        else en1992.MOST_BARS
+        for key, site in sites.items()
+    }
+    demands = [_demand(each, steel, ratios[each.site.end.name, each.site.pulls]) for each in some]
+    found = {(demand.combination, demand.name): demand for demand in demands}
+    return Demands(found, {}, {name: site.end.place for (name, _), site in sites.items()}, {})
+
+
+def _demand(punching: WallPunching, steel: Reinforcement, ratio: float) -> Demand:
+    """Return the demand at an end or a corner in a combination, with a ratio of bars."""
+    site, results = punching.site, punching.results
+    concrete, bars = materials(steel, results.limit_state)
+    ratio = min(ratio, en1992.most_bars(concrete, bars))
+    v_Rd_c = en1992.resistance_without_links(concrete, site.d, ratio)
+    lines, v = site.perimeters, punching.v
+    around = tuple(
+        Stress(
+            float(lines.distances[k]), float(lines.u[k]), float(punching.V[k]), site.beta, float(v[k]),
+            supported=False, pressure=0.0, edge=0.0, others=0.0, error=partial(punching.error_of_stress, k),
+        )
+        for k in range(len(v))
+    )  # fmt: skip
+    force = float(punching.V[-1])
+    about = site.end.name, results.combination, results.limit_state, force, site.d
+    return Demand(*about, v_Rd_c, None, around, ratio, site.pulls)
+
+
+def at_walls(combined: Results, _: Reinforcement) -> PunchingColumns:
+    """Return what the table of punching at ends and corners of walls has."""
+    punched = wall_demands(combined)
+    return PunchingColumns(
+        _HEADS,
+        lambda combination, name: _cells(punched.found.get((combination, name))),
+        (
+            Message(
+                "Punching by EN 1992-1-1 6.4.4(2), in ultimate combinations: V_Ed is the shear force of the slab "
+                "across the perimeter at the distance a from the wall's faces, {steps:g} d to 2 d, at which v_Ed "
+                "/ v_Rd is largest. v_Ed = beta V_Ed / (u d), v_Rd = v_Rd,c 2 d / a with the bars provided or "
+                "the largest ratio that counts.",
+                steps=STEPS[0],
+            ),
+            "Perimeters and beta, 1.35 at ends and 1.20 at corners, are those of DIN EN 1992-1-1/NA, Figures NA.6.12.1 "
+            "and NA.6.21.1, with every annex: quarter circles, straight pieces across the end and a_1 / 2 along both "
+            "sides; at corners those along the outer faces.",
+        ),
+    )
+
+
+def _cells(demand: Demand | None) -> list[float | None]:
+    """Return the figures of a demand, in the order of the table; nothing where nothing punches."""
+    stress = demand.governing if demand is not None else None
+    if demand is None or stress is None:
+        return [None] * len(_HEADS)
+    return [
+        demand.d * 1e3, stress.distance, stress.V_Ed / 1e3, stress.u, stress.beta, stress.v_Ed / 1e6,
+        demand.resistance(stress) / 1e6, demand.used(stress),
+    ]  # fmt: skip

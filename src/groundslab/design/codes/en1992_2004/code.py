@@ -1,0 +1,83 @@
+"""EN 1992-1-1 as a design code."""
+
+from __future__ import annotations
+
+from groundslab.design.codes.en1992_2004 import beams, bending, detailing, shear, walls
+from groundslab.design.codes.en1992_2004.checks import (
+    bars,
+    bending_steps,
+    links,
+    one_way_shear,
+    punching,
+    punching_columns,
+    punching_steps,
+    wall_ends,
+)
+from groundslab.design.codes.en1992_2004.checks.covers import fire
+from groundslab.design.codes.en1992_2004.checks.remarks import remarks
+from groundslab.design.codes.en1992_2004.materials_of_case import materials
+from groundslab.design.rules.bending import BendingRule
+from groundslab.design.rules.design_code import (
+    BeamRule,
+    Clauses,
+    DesignCode,
+    FlangeRule,
+    PunchingRule,
+    ShearRule,
+    ShearWords,
+    WallRule,
+)
+from groundslab.design.rules.wide_beam import cuts_from_edge_to_edge
+from groundslab.model.design.reinforcement import Reinforcement
+
+
+def _bending(steel: Reinforcement, limit_state: str) -> BendingRule:
+    """Return how sections of the case find their bars in a limit state."""
+    return bending.rule(*materials(steel, limit_state))
+
+
+EN1992 = DesignCode(
+    name="EN 1992-1-1",
+    clauses=Clauses(bars="6.1, 9.2.1.1(1)", least_bars="9.2.1.1(1)", held_bars="9.2.1.2(3)"),
+    bending=_bending,
+    bars_by_steps=bending_steps.steps,
+    shear=ShearRule(
+        words=ShearWords("v_Ed", "v_Rd,c", "6.2.2", "6.2.3", "6.2.3(3)", "6.2.2, 6.2.3", "6.2.1(8)", "9.3.2(1)"),
+        resistance=one_way_shear.resistance,
+        links=one_way_shear.links,
+        steps=one_way_shear.steps,
+        most_ratio=shear.MOST_BARS,
+        reach=one_way_shear.reach,
+        cuts=cuts_from_edge_to_edge,
+        least_thickness=one_way_shear.LEAST_WITH_LINKS,
+        struts_at_faces=True,
+    ),
+    punching=PunchingRule(
+        at_columns=punching_columns.at_columns,
+        over_piles=punching_columns.over_piles,
+        around_zones=punching_columns.around_zones,
+        at_walls=wall_ends.at_walls,
+        checks=punching.checks,
+        extremes=(("v_Ed", "MPa"), ("v_Ed / v_Rd", ""), ("v_Ed at the face", "MPa")),
+        with_errors=("V_Ed", "v_Ed", "v_Ed / v_Rd", "v_Ed at the face"),
+        steps=punching_steps.STEPS,
+        links=links.links,
+    ),
+    beams=BeamRule(
+        minimum=beams.minimum,
+        bars_by_steps=bending_steps.tension,
+        minimum_by_steps=beams.minimum_steps,
+        web=beams.web,
+        web_steps=beams.web_steps,
+        clauses="6.1, 7.3.2(2), 9.2.1.1(1)",
+        web_clauses="6.2.3, 6.3.2, 9.2.2(5)",
+        struts_at_faces=True,
+        flange=FlangeRule(beams.flange_bars, beams.flange_limit, "6.2.4", beams.flange_steps),
+        cracks=beams.cracks,
+    ),
+    walls=WallRule(walls.least, walls.most, "6.9, 9.6.2, 9.6.3, 9.7"),
+    bars=bars.checks,
+    detailing=detailing.RULE,
+    fire=fire.checks,
+    remarks=remarks,
+)

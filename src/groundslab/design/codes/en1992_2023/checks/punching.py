@@ -1,0 +1,199 @@
+"""Punching by EN 1992-1-1:2023 8.4 of columns, piles, zones and walls' ends: without links, and the links needed."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Iterator
+from typing import NamedTuple
+
+from groundslab.design.codes.en1992_2023 import punching as en1992
+from groundslab.design.codes.en1992_2023.checks.critical_sections import CUT
+from groundslab.design.codes.en1992_2023.checks.punching_demand import (
+    Demands,
+    Punching,
+    column_demands,
+    pile_demands,
+    zone_demands,
+)
+from groundslab.design.codes.en1992_2023.checks.wall_ends import wall_demands
+from groundslab.design.codes.en1992_2023.materials_of_case import materials
+from groundslab.design.demands.perimeter_loads import punching_piles
+from groundslab.design.demands.zones.thicker_zones import NONE, zone_forces
+from groundslab.design.rules.check import DesignCheck, Status
+from groundslab.design.rules.demand_errors import error_of_ratio, scaled
+from groundslab.design.rules.punching import judged, with_the_rest, with_way
+from groundslab.design.rules.punching_links.demand import LinkDemand, Support
+from groundslab.design.rules.wall_ends import NO_WALL, loaded_ends
+from groundslab.messages import Message, Name
+from groundslab.model.design.reinforcement import Reinforcement
+from groundslab.results.results import Results
+
+#: A slab with links is at least so thick [m] (12.4.2(2)).
+LEAST_WITH_LINKS = 0.2
+#: Why no links are laid out.
+NO_LAYOUT = "not laid out: the rules of EN 1992-1-1:2023 12.5.1 for perimeters and legs are not known here"
+
+
+class LinksNeeded(NamedTuple):
+    """What a slab needs where concrete alone does not resist."""
+
+    tau_Ed: float  # [Pa]
+    tau_max: float  # the most that links can carry [Pa]
+    phi_w: float  # the diameter that is assumed [m]
+    eta: tuple[float, float]  # eta_c, eta_s
+    rho_w: float  # links per area of the plan
+    b_out: float  # outer perimeter where they are needed no more [m]
+
+
+def links_needed(demand: Punching, steel: Reinforcement, out: float) -> LinksNeeded:
+    """Return the links of a demand whose outermost ones have the depth d_v,out [m].
+
+    Their diameter is taken as the largest allowed, which counts least (8.106).
+    """
+    concrete, bars = materials(steel, demand.limit_state)
+    tau_Ed, d = demand.tau_links, demand.d
+    tau_max = en1992.system_factor(concrete, demand.b_0, d) * demand.tau_Rd_c
+    eta_c = en1992.concrete_share(demand.tau_Rd_c, tau_Ed)
+    phi_w = en1992.thickest_link(d)
+    eta = eta_c, en1992.links_share(concrete.d_dg, d, phi_w, eta_c, demand.k_pb)
+    rho_w = en1992.required_links(tau_Ed, demand.tau_Rd_c, eta, bars.f_yd)
+    b_out = en1992.outer_perimeter(demand.b_05, d, out, eta_c)
+    return LinksNeeded(tau_Ed, tau_max, phi_w, eta, rho_w, b_out)
+
+
+def outermost_depth(demand: Punching, steel: Reinforcement) -> float:
+    """Return d_v,out [m]: d_v less the cover of links at the compressed face, at most that of the bars' axes there."""
+    return demand.section.out if demand.section is not None else demand.d - sum(steel.top_axes) / 2
+
+
+def checks(combined: Results) -> Iterator[DesignCheck]:
+    """Yield the checks of punching over all ultimate combinations."""
+    steel = combined.model.reinforcement
+    assert steel is not None
+    if combined.model.columns:
+        yield from _checks(steel, column_demands(combined), "punching", ("column", "no column pushes or pulls"))
+    if punching_piles(combined.model):
+        yield from _checks(steel, pile_demands(combined), "punching over piles", ("pile", "no pile pushes or pulls"))
+    if zone_forces(combined):
+        yield from _checks(steel, zone_demands(combined), "punching around thicker zones", ("thicker zone", NONE))
+    if loaded_ends(combined.model):
+        yield from _checks(steel, (wall_demands(combined), {}), "punching at walls' ends", ("wall end", NO_WALL))
+
+
+def links(combined: Results, _: Reinforcement) -> Iterator[LinkDemand]:
+    """Yield the columns, piles, zones and ends of walls that need links, with the reason why these are not laid out."""
+    if combined.model.columns:
+        yield from _needing("column", column_demands(combined)[0].values())
+    if punching_piles(combined.model):
+        yield from _needing("pile", pile_demands(combined)[0].values())
+    yield from _needing("zone", zone_demands(combined)[0].values())
+    if loaded_ends(combined.model):
+        yield from _needing("wall end", wall_demands(combined).values())
+
+
+def _needing(support: Support, demands: Iterable[Punching]) -> Iterator[LinkDemand]:
+    """Yield those of some demands that need links, each by the combination that needs most."""
+    worst: dict[str, Punching] = {}
+    for demand in demands:
+        least = worst[demand.name].used if demand.name in worst else 1.0
+        if not demand.supported and demand.used > least:
+            worst[demand.name] = demand
+    for demand in worst.values():
+        yield LinkDemand(support, demand.name, demand.place, demand.combination, "EN 1992-1-1:2023 8.4.4", NO_LAYOUT)
+
+
+def _checks(steel: Reinforcement, demands: Demands, name: str, pushing: tuple[str, str]) -> Iterator[DesignCheck]:
+    """Yield the check of those that push, and which of them it leaves out."""
+    known, missing = demands
+    one, none = pushing
+    those, supported = judged(known.values(), lambda demand: demand.used)
+    check = with_way(_worst(those, steel, name), known) if those else None
+    yield from with_the_rest(check, name, (f"{one}s", none, CUT), supported, missing)
+
+
+def _worst(judged: list[Punching], steel: Reinforcement, name: str) -> DesignCheck:
+    """Return the check of the one that links cannot help most, else of the one that uses most without links."""
+    failing = [demand for demand in judged if demand.used > 1 and _beyond_links(demand, steel) > 1]
+    demand = max(failing or judged, key=lambda each: each.used)
+    beside = [each for each in judged if each.combination == demand.combination]
+    error = error_of_ratio((each.tau_Ed, each.resistance, each.error) for each in beside)
+    which = (
+        "the bars provided"
+        if steel.laid
+        else Message("bars of {most_bars:g} %, the most that count", most_bars=100 * en1992.MOST_BARS)
+    )
+    least = (
+        " = tau_Rdc,min (8.4.1(2))"
+        if demand.tau_min > demand.tau_Rd_c
+        else Message(" = tau_Rd,c with {which} (8.4.3)", which=which)
+    )
+    words = Message(
+        '{name} in "{combination}": tau_Ed {tau_Ed:.3g MPa} on b_0.5 {b_05:.2f m}, {moments}, is {used:.3g} '
+        "times {resistance:.3g MPa}{least}",
+        name=Name(demand.name),
+        combination=Name(demand.combination),
+        tau_Ed=demand.tau_Ed / 1e6,
+        b_05=demand.b_05,
+        moments=_with(demand),
+        used=demand.used,
+        resistance=demand.resistance / 1e6,
+        least=least,
+    )
+    if demand.concentrated:
+        words += "; tau_Ed is not less than by the shear forces of the analysis, as a large force is near (8.4.2(8))"
+    status: Status = "no failure found"
+    if demand.used > 1:
+        status, more = _with_links(demand, steel)
+        words += more
+    elif not steel.laid and demand.tau_Ed > demand.tau_min:
+        ratio = en1992.MOST_BARS * max(demand.tau_Ed / demand.tau_Rd_c, 0.0) ** 3
+        words = Message(
+            "needs bars in tension of {ratio:.2g} % of the section, and none are provided: {text}",
+            ratio=100 * ratio,
+            text=words,
+        )
+        status = "attention"
+    return DesignCheck(
+        name, status, words, of=demand.name, demand=max(demand.tau_Ed, 0.0) / 1e6, resistance=demand.resistance / 1e6,
+        unit="MPa", clause="EN 1992-1-1:2023 8.4.1, 8.4.3, 8.4.4", combination=demand.combination, place=demand.place,
+        error=scaled(error, demand.resistance / 1e6),
+    )  # fmt: skip
+
+
+def _with(demand: Punching) -> str:
+    """Return in words how moments count."""
+    return "by moments" if demand.beta_e is None else Message("with beta_e {beta_e:.2f}", beta_e=demand.beta_e)
+
+
+def _beyond_links(demand: Punching, steel: Reinforcement) -> float:
+    """Return the stress over the most that links can carry; inf where the slab is too thin for them."""
+    if demand.section is not None and demand.section.thickness < LEAST_WITH_LINKS:
+        return math.inf
+    links = links_needed(demand, steel, outermost_depth(demand, steel))
+    return links.tau_Ed / links.tau_max
+
+
+def _with_links(demand: Punching, steel: Reinforcement) -> tuple[Status, str]:
+    """Return the status of a demand that needs links, and which, in words."""
+    beyond = _beyond_links(demand, steel)
+    if math.isinf(beyond):
+        return "fails", "; the slab is too thin for links (12.4.2(2))"
+    links = links_needed(demand, steel, outermost_depth(demand, steel))
+    most = Message(
+        "{tau_Ed:.3g MPa} with links is {beyond:.3g} times tau_Rd,max {tau_max:.3g MPa}",
+        tau_Ed=links.tau_Ed / 1e6,
+        beyond=beyond,
+        tau_max=links.tau_max / 1e6,
+    )
+    if beyond > 1:
+        return "fails", Message("; links do not suffice: {most} (8.4.4(5))", most=most)
+    return "attention", (
+        Message(
+            "; links of {rho_w:.3g cm2/m2} around it are needed, of {phi_w:.3g mm} or thinner (8.104), "
+            "{most}, out to b_0.5,out {b_out:.2f m} (8.112); their spacing (12.5.1) is not checked",
+            rho_w=links.rho_w * 1e4,
+            phi_w=1e3 * links.phi_w,
+            most=most,
+            b_out=links.b_out,
+        )
+    )

@@ -1,0 +1,127 @@
+"""The results of several plates, plate by plate."""
+
+from __future__ import annotations
+
+from dataclasses import fields, replace
+from functools import lru_cache
+from operator import attrgetter
+from typing import Any
+
+import numpy as np
+
+from groundslab.arrays import Array, Flags, Integers, made_once_by
+from groundslab.messages import Message
+from groundslab.model.loads.acting import PlateAction, PointForce
+from groundslab.model.loads.load_types import AnyLoad
+from groundslab.model.model import Model
+from groundslab.model.plate import Plate
+from groundslab.model.plates.other_plates import AnyPlate, first_sections
+from groundslab.model.plates.region import PlateRegion
+from groundslab.results.plate_result import ElementResult, PlateResult
+from groundslab.results.results import CombinationResult, Comparison
+
+
+def results_by_plate(results: CombinationResult) -> dict[str, PlateResult]:
+    """Return the results of each plate by its name, or its number from 1; of a single plate with an empty name."""
+    if not results.model.plates:
+        return {"": results.plate}
+    return {name: results.plate.part(elements) for name, elements in _elements_by_plate(results).items()}
+
+
+def _elements_by_plate(results: CombinationResult) -> dict[str, Flags]:
+    """Return which elements belong to each plate."""
+    plates = results.model.every_plate
+    number = np.searchsorted(first_sections(plates), results.elements.section, side="right") - 1
+    return {plate.name or Message("plate {n}", n=n + 1): number == n for n, plate in enumerate(plates)}
+
+
+def split_by_plate(results: CombinationResult) -> dict[str, CombinationResult]:
+    """Return the results of each plate as if there were no other, by its name as in `results_by_plate`.
+
+    Their models hold one plate and the loads on it; loads that extend over several plates are in the model of each.
+    """
+    if not results.model.plates:
+        return {"": results}
+    models = _models_by_plate(results.solved_model)
+    parts = zip(_elements_by_plate(results).items(), models, strict=True)
+    return {
+        name: replace(
+            results,
+            model=model,
+            solved_model=model,
+            plate=results.plate.part(those),
+            elements=_part_of(results.elements, those),
+            comparison=_part_of_comparison(results.comparison, results.plate.elements, those),
+        )
+        for (name, those), model in parts
+    }
+
+
+def _part_of(elements: ElementResult, those: Flags) -> ElementResult:
+    values = {field.name: getattr(elements, field.name) for field in fields(elements)}
+    some: dict[str, Any] = {name: value if value is None else value[those] for name, value in values.items()}
+    return ElementResult(**some)
+
+
+def _part_of_comparison(comparison: Comparison | None, elements: Integers, those: Flags) -> Comparison | None:
+    if comparison is None:
+        return None
+    nodes = np.unique(elements[those])
+    of_moments, of_shear = (
+        None if each is None else each[nodes] for each in (comparison.moment_reduction, comparison.shear_reduction)
+    )
+    return replace(
+        comparison,
+        plate=comparison.plate.part(those),
+        elements=_part_of(comparison.elements, those),
+        moment_reduction=of_moments,
+        shear_reduction=of_shear,
+    )
+
+
+@lru_cache(maxsize=4)
+def _models_by_plate(model: Model) -> tuple[Model, ...]:
+    """Return a model of each plate alone."""
+    region = PlateRegion(model.plate, model.plates)
+    return tuple(
+        # loads on what lies beside the plate are of no interest here, and would not be valid
+        model.model_copy(
+            update={
+                "plate": plate if isinstance(plate, Plate) else Plate(**dict(plate)),
+                "plates": (),
+                "joints": (),
+                "loads": tuple(load for load in model.loads if _acts_on(load, n, plate, model, region)),
+            }
+        )
+        for n, plate in enumerate(model.every_plate)
+    )
+
+
+def _acts_on(load: AnyLoad, number: int, plate: AnyPlate, model: Model, region: PlateRegion) -> bool:
+    """Return whether a load acts on a plate, or may act on it as it extends over an area or along a line."""
+    for shape in model.shapes(load):
+        if isinstance(shape, PointForce):
+            return region.plate_at(shape.place) == number
+        if isinstance(shape, PlateAction):
+            return shape.plate in ("", plate.name)
+    return True
+
+
+def plate_under(results: CombinationResult, x: float, y: float) -> PlateResult:
+    """Return the results of the plate that a place [m] lies on, as if there were no other."""
+    model = results.model
+    number = PlateRegion(model.plate, model.plates).plate_at((x, y)) if model.plates else 0
+    return list(results_by_plate(results).values())[number]
+
+
+@made_once_by(attrgetter("plate.nodes", "plate.elements"))
+def farthest_from_edges(results: CombinationResult) -> float:
+    """Return the largest distance of any node from the edges of all plates [m]."""
+    return float(distances_to_edges(results, results.plate.nodes).max())
+
+
+def distances_to_edges(results: CombinationResult, places: Array) -> Array:
+    """Return how far places (k, 2) [m] are from the edges of all plates (k,) [m]."""
+    edges = [edge for plate in results.model.every_plate for ring in plate.rings() for edge in ring.segments()]
+    nearest: Array = np.min([edge.distance(places) for edge in edges], axis=0)
+    return nearest

@@ -1,0 +1,196 @@
+"""A check: what is demanded where, what resists it, by which clause, and how it ended.
+
+A check that can be made of what is known is made. One that cannot needs attention, says why and what to do, and is
+counted by itself in the headline. What no check ever looks at, such as anchorage, is "not checked" instead.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Sequence
+from dataclasses import dataclass, replace
+from typing import Any, Literal
+
+from groundslab.design.rules.calculation import Step
+from groundslab.messages import Message, quoted, words_in
+from groundslab.unit_systems import System, unit_in
+
+Status = Literal["fails", "attention", "no failure found", "not checked"]
+#: Statuses in the order in which they are listed.
+ORDER: tuple[Status, ...] = ("fails", "attention", "no failure found", "not checked")
+#: What lies beyond a limit by a smaller share of it is rounding.
+ROUNDING = 1e-6
+
+
+#: So many of those that a check is about are named.
+MOST_NAMED = 5
+
+
+@dataclass(frozen=True, slots=True)
+class Unjudged:
+    """A way in which checks end without a verdict.
+
+    Attributes
+    ----------
+    name : str
+        What it is called.
+    do : str
+        What the engineer is to do.
+    """
+
+    name: str
+    do: str
+
+
+#: Punching: another support acts inside the perimeter, and the check does not hold with the worse of what it may do.
+SUPPORT_INSIDE = Unjudged(
+    "support-inside", "check a perimeter around both by hand, or design what is between by struts and ties"
+)
+#: Punching: openings and edges leave nothing of the perimeter.
+NO_PERIMETER = Unjudged("no-perimeter", "move the openings or the load, or design the slab there by hand")
+#: One-way shear: punching is checked everywhere, or nothing can be, and no cut goes from edge to edge.
+NO_PLACE = Unjudged("no-place", "check cuts through the slab by hand")
+#: Equilibrium: glued ground pulls so that its force has no place under the plate, but supports might do without.
+GLUED = Unjudged("glued-to-the-ground", "set contact.tensionless = true")
+#: A combination has no certified result.
+UNSOLVED = Unjudged("no-certified-result", "see why it was not solved, and solve it again")
+#: No combination of the limit state that is asked for has a certified result.
+NO_COMBINATION = Unjudged("no-combination", "add such a combination")
+#: Limits between columns: there are no two columns whose settlements could differ.
+ONE_COLUMN = Unjudged("fewer-than-two-columns", "remove the limit, or describe the columns")
+#: The program has no rule of the code for it.
+NO_RULE = Unjudged("no-rule", "check it by hand, or choose another code")
+#: Beams: a beam is described by its stiffness alone, so that its strength is not known.
+GIVEN_SECTION = Unjudged("section-by-its-properties", "check its strength by hand, or describe it by width and height")
+#: Crack width by EN 1992-1-1:2023, resistance of piles, sliding: neither the case nor the program knows what resists.
+NO_LIMIT = Unjudged("no-limit", "give it in the case")
+#: Edges of the plate that are supported hold it down.
+HELD_EDGE = Unjudged("supported-edge", "describe the edge as a line support with a limit")
+#: Restraint: no bars are laid.
+NO_BARS = Unjudged("no-bars", "lay the bars")
+#: Restraint: the bars yield, so that no crack width is valid.
+BARS_YIELD = Unjudged("bars-yield", "lay more bars")
+#: Cover: the annex leaves it to another standard.
+OTHER_STANDARD = Unjudged("another-standard", "take it from there")
+#: Dowels: neither [floor] by TR34 nor [reinforcement] gives the concrete.
+NO_CONCRETE = Unjudged("no-concrete", "give one of them")
+#: All of them, in the order in which the documentation lists them.
+UNJUDGED = (
+    SUPPORT_INSIDE, NO_PERIMETER, NO_PLACE, GLUED, UNSOLVED, NO_COMBINATION, ONE_COLUMN, NO_RULE,
+    GIVEN_SECTION, NO_LIMIT, HELD_EDGE, NO_BARS, BARS_YIELD, OTHER_STANDARD, NO_CONCRETE,
+)  # fmt: skip
+
+
+@dataclass(frozen=True, slots=True)
+class DesignCheck:
+    """One check at its governing place.
+
+    Attributes
+    ----------
+    name : str
+        What is checked.
+    status : str
+        How it ended.
+    words : str
+        The worst of it in words.
+    of : str
+        What it is about, such as a column or a layer of bars; empty if it is the slab.
+    demand, resistance : float or None
+        The two that are compared, in `unit`; None where the check is none of numbers.
+    unit : str
+        The unit of both, empty for ratios.
+    least : bool
+        Whether the demand must not be less than the resistance, as with an area in contact.
+    clause : str
+        Where it is ruled.
+    combination : str
+        The combination that governs.
+    place : tuple of float or None
+        Where it governs [m].
+    foundation : bool
+        Whether it is about what holds the slab, ground and supports, rather than about the slab.
+    error : float or None
+        The estimated discretization error of the demand, in `unit`, with that of a resistance which depends on the
+        results. None where none is known, and where the demand does not depend on the mesh.
+    steps : tuple of Step
+        The calculation at the governing place, to be followed by hand; empty where there is none.
+    unjudged : Unjudged or None
+        Why there is no verdict; None where there is one.
+    """
+
+    name: str
+    status: Status
+    words: str
+    of: str = ""
+    demand: float | None = None
+    resistance: float | None = None
+    unit: str = ""
+    least: bool = False
+    clause: str = ""
+    combination: str = ""
+    place: tuple[float, float] | None = None
+    foundation: bool = False
+    error: float | None = None
+    steps: tuple[Step, ...] = ()
+    unjudged: Unjudged | None = None
+
+    @property
+    def utilisation(self) -> float | None:
+        """Return demand over resistance, or the other way round where it must not be less; None without numbers."""
+        return None if self.demand is None else self._used(self.demand)
+
+    @property
+    def between(self) -> tuple[float, float] | None:
+        """Return the least and the greatest utilisation within the error of the demand; None without an error."""
+        if self.demand is None or self.resistance is None or self.error is None:
+            return None
+        used = [self._used(max(self.demand + sign * self.error, 0.0)) for sign in (-1, 1)]
+        low, high = sorted(value for value in used if value is not None)
+        return low, high
+
+    @property
+    def utilisation_error(self) -> float | None:
+        """Return by how much the utilisation may be larger, None without an error."""
+        if self.between is None or self.utilisation is None:
+            return None
+        return self.between[1] - self.utilisation
+
+    @property
+    def hangs(self) -> bool:
+        """Return whether the verdict hangs on the discretization error: a limit lies within it."""
+        return self.between is not None and self.between[0] <= 1 < self.between[1] - ROUNDING
+
+    @property
+    def verdict(self) -> str:
+        """Return how it ended, and whether that hangs on the discretization error."""
+        return Message("{status}, but within the error", status=self.status) if self.hangs else self.status
+
+    def _used(self, demand: float) -> float | None:
+        """Return the utilisation by a demand."""
+        if self.resistance is None:
+            return None
+        over, under = (self.resistance, demand) if self.least else (demand, self.resistance)
+        return over / under if under else float("inf") if over else 0.0
+
+
+def not_judged(name: str, why: Unjudged, words: str, **about: Any) -> DesignCheck:
+    """Return a check that ends without a verdict, with what to do in its words."""
+    return DesignCheck(
+        name, "attention", Message("not judged: {text}; {do}", text=words, do=why.do), unjudged=why, **about
+    )
+
+
+def in_units(check: DesignCheck, system: System, names: Collection[str] = ()) -> DesignCheck:
+    """Return a check with its numbers and words in the units of a system; names, its place [m] and its steps stay."""
+    if system == "SI":
+        return check
+    unit, factor = unit_in(check.unit, system)
+    demand, resistance, error = (
+        None if value is None else value * factor for value in (check.demand, check.resistance, check.error)
+    )
+    words = words_in(check.words, system, names)
+    return replace(check, words=words, demand=demand, resistance=resistance, unit=unit, error=error)
+
+
+def some(names: Sequence[str], most: int = 5) -> str:
+    """Return the first of some names, quoted."""
+    return quoted(names, most)

@@ -1,0 +1,225 @@
+"""What punches the slab at ends and corners of walls: the shear force of the slab across perimeters around them.
+
+What the end of a wall carries to the slab is not known from the wall's load, which presses all along it. So what
+punches is the shear force that the slab takes away from there. Codes say at what distances, and what resists it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cache, partial
+from typing import Literal
+
+import numpy as np
+
+from groundslab.accuracy.values import estimate_error
+from groundslab.arrays import Array, made_once_by
+from groundslab.design.demands.by_plate import plate_under
+from groundslab.design.demands.edge_strip import plates_that_count
+from groundslab.design.demands.loads.wall_loads import WallLoads, loads_on_wall
+from groundslab.design.demands.perimeter_loads import footprint_of, thickness_at
+from groundslab.design.demands.perimeters import FAR, Openings, outline, shadow_of
+from groundslab.design.demands.wall_perimeters import LoadedArea, WallPerimeters, loaded_area, wall_perimeters
+from groundslab.design.demands.zones.thinner_slab import Share, depth_share, shares_at, thinner_parts
+from groundslab.design.rules.combinations import ultimate_results
+from groundslab.model.design.reinforcement import Reinforcement
+from groundslab.model.model import Model
+from groundslab.model.structure.columns import Column
+from groundslab.model.structure.wall_ends import WallEnd, wall_ends
+from groundslab.results.plate_result import PlateResult
+from groundslab.results.results import CombinationResult, Results
+
+#: What is said where none is judged.
+NO_WALL = "no wall pushes or pulls at an end or corner with slab beyond it"
+#: beta at an end and at a corner of walls (DIN EN 1992-1-1/NA, Figure NA.6.21.1).
+BETA: Mapping[str, float] = {"end": 1.35, "corner": 1.20}
+#: The openings that count, of a slab's thickness and its effective depth [m].
+Reach = Callable[[float, float], Openings]
+
+
+@dataclass(frozen=True, slots=True)
+class WallSite:
+    """An end or a corner of walls on its plate, and the perimeters around it."""
+
+    area: LoadedArea
+    column: Column  # as wide along x and y as the loaded area
+    d: float  # effective depth [m]
+    perimeters: WallPerimeters
+    pulls: bool = False  # whether the walls pull up, so that the bars in tension are those at the top
+
+    @property
+    def face(self) -> Literal["bottom", "top"]:
+        """Return the face whose bars are in tension."""
+        return "top" if self.pulls else "bottom"
+
+    @property
+    def end(self) -> WallEnd:
+        """Return which end or corner it is."""
+        return self.area.end
+
+    @property
+    def beta(self) -> float:
+        """Return by what v_Ed is larger than its mean, as the force does not act in the perimeter's center."""
+        return BETA[self.end.kind]
+
+
+@dataclass(frozen=True, slots=True)
+class WallPunching:
+    """What punches at an end or a corner of walls that press on the slab, or pull at it, in one combination."""
+
+    site: WallSite
+    results: CombinationResult
+    V: Array  # (k,): the slab's shear force across each perimeter, away from walls that press [N]
+    error: Callable[[int], float | None]  # of the one across a perimeter, by its position [N]
+
+    @property
+    def v(self) -> Array:
+        """Return the largest stress on each perimeter (k,) [Pa]."""
+        return self.of_force(self.V)
+
+    def of_force(self, V: Array) -> Array:
+        """Return the stresses that forces (k,) [N] make."""
+        return self.site.beta * V / (self.site.perimeters.u * self.site.d)
+
+    def error_of_stress(self, position: int) -> float | None:
+        """Return the error of the stress on a perimeter [Pa]."""
+        error = self.error(position)
+        return None if error is None else self.site.beta * error / float(self.site.perimeters.u[position] * self.site.d)
+
+
+def loaded_ends(model: Model) -> tuple[WallEnd, ...]:
+    """Return the ends and corners of walls that any load names."""
+    loaded = {getattr(load, "wall", "") for load in model.loads} - {""}
+    if not loaded:
+        return ()
+    return tuple(
+        end
+        for end in wall_ends(model.placed_walls, model.spans_of_walls)
+        if any(leg.wall in loaded for leg in end.legs)
+    )
+
+
+@made_once_by(lambda results, model: (results.plate.nodes, model))
+def _known_sites(results: CombinationResult, model: Model) -> dict[bool, list[WallSite]]:  # noqa: ARG001
+    """Return the sites of a model, as they are added, where walls press (False) and where they pull."""
+    return {}
+
+
+def punching_walls(
+    combined: Results,
+    steel: Reinforcement,
+    distances: Array,
+    openings: Reach,
+    most_along: float = np.inf,
+    share: Share = depth_share,
+) -> Iterator[WallPunching]:
+    """Yield what punches at ends and corners of walls at distances over d (k,), in all ultimate combinations.
+
+    Of walls no more than most_along d counts on each side, and of perimeters a share in thinner slab.
+
+    Of a line force along the plate's edge that does not relieve, the worse of both distributions counts (`edge_strip`).
+    """
+    model, results = combined.model, ultimate_results(combined)
+    if not (model.walls and results):
+        return
+    first = results[0]
+    counts = openings, share
+    forces = forces_at_ends(model, results)
+    known = _known_sites(first, model)
+    for pulls in (False, True):
+        if pulls not in known and any((force < 0) if pulls else (force > 0) for force in forces.values()):
+            known[pulls] = [*_sites(first, steel, distances, counts, (most_along, pulls))]
+    sites = [site for some in known.values() for site in some]
+    if not sites:
+        return
+    nodes = np.unique(np.concatenate([site.perimeters.nodes for site in sites]))
+
+    def plates(mesh: CombinationResult) -> tuple[PlateResult, ...]:
+        return plates_that_count(mesh, relieves=steel.line_force_relieves, nodes=nodes)
+
+    for result in results:
+        coarser = cache(lambda mesh=result.coarser: () if mesh is None else plates(mesh))
+        here = plates(result)
+        for site in sites:
+            force = forces[result.combination, site.end.name]
+            if force < 0 if site.pulls else force > 0:
+                yield _punching(result, site, here, coarser)
+
+
+def _punching(
+    result: CombinationResult,
+    site: WallSite,
+    plates: tuple[PlateResult, ...],
+    coarser: Callable[[], tuple[PlateResult, ...]],
+) -> WallPunching:
+    """Return what punches at a site, by the plates that count and those on the coarser mesh.
+
+    As both meshes may agree by accident, a force has the largest error of itself and those next to it.
+    """
+
+    def shear(some: tuple[PlateResult, ...]) -> Array:
+        sign = -1.0 if site.pulls else 1.0
+        largest: Array = np.max([sign * site.perimeters.shear(plate) for plate in some], axis=0)
+        return largest
+
+    V, before = shear(plates), cache(lambda: shear(coarser()))
+
+    def error(position: int) -> float | None:
+        if result.comparison is None or not coarser():
+            return None
+        near = slice(max(position - 1, 0), position + 2)
+        pairs = zip(V[near].tolist(), before()[near].tolist(), strict=True)
+        return max(estimate_error(*pair, result.comparison) for pair in pairs)
+
+    return WallPunching(site, result, V, error)
+
+
+def forces_at_ends(model: Model, results: Sequence[CombinationResult]) -> dict[tuple[str, str], float]:
+    """Return by how much loads press at ends and corners of walls [N/m], negative if they pull.
+
+    They are the loads that name the walls; by combination and name.
+    """
+    ends = loaded_ends(model)
+    loads = {wall.name: loads_on_wall(model, wall) for wall in model.placed_walls} if ends else {}
+    return {(result.combination, end.name): _force(end, loads, result) for result in results for end in ends}
+
+
+def _force(end: WallEnd, loads: Mapping[str, WallLoads], result: CombinationResult) -> float:
+    """Return by how much the loads that name the walls of an end or a corner press on the slab there [N/m]."""
+    force = 0.0
+    for leg in end.legs:
+        start, final = loads[leg.wall].in_combination(result)[0]
+        force += start + leg.share * (final - start)
+    return float(force)
+
+
+def _sites(
+    results: CombinationResult,
+    steel: Reinforcement,
+    distances: Array,
+    counts: tuple[Reach, Share],
+    walls: tuple[float, bool],
+) -> Iterator[WallSite]:
+    """Yield the ends and corners of walls with some plate beyond them, by how much counts and whether they pull."""
+    (openings, share), (most_along, pulls) = counts, walls
+    for end in loaded_ends(results.model):
+        x, y = end.place
+        plan = outline(plate_under(results, x, y))
+        column = _column(loaded_area(end, np.inf), end.name)
+        thickness = thickness_at(results, footprint_of(column))
+        d = thickness - sum(steel.top_axes if pulls else steel.bottom_axes) / 2
+        area, footprint = loaded_area(end, d, most_along), footprint_of(column).footprint()
+        far = FAR * (float(distances[-1]) * d + max(column.width_x or 0.0, column.width_y or 0.0))
+        shadow = shadow_of(plan, footprint, area.center, openings(thickness, d), far)
+        thinner = thinner_parts(results, footprint, thickness, float(distances[-1]) * d)
+        shares = partial(shares_at, parts=thinner, share=share, d=d) if thinner else None
+        perimeters = wall_perimeters(results.plate, plan, area, distances * d, shadow, shares)
+        if len(perimeters.distances):
+            yield WallSite(area, column, d, perimeters, pulls)
+
+
+def _column(area: LoadedArea, name: str) -> Column:
+    """Return a column as wide along x and y as a loaded area."""
+    (x0, y0), (x1, y1) = area.points.min(axis=0), area.points.max(axis=0)
+    return Column(name=name, x=(x0 + x1) / 2, y=(y0 + y1) / 2, width_x=x1 - x0, width_y=y1 - y0)

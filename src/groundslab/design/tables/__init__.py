@@ -1,1 +1,0 @@
-"""Tables of results for calculations: each module makes one or two; `design/result_tables` puts them together."""

@@ -1,0 +1,1 @@
+"""Cases from and to the files of other programs: drawings, buildings, analysis models, tables of reactions."""
