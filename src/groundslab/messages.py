@@ -54,6 +54,16 @@ class Clause(Name):
     __slots__ = ()
 
 
+class Label(str):
+    """A text for people without values, such as the head of a column or a figure, which languages have as a whole."""
+
+    __slots__ = ()
+
+    def __new__(cls, text: object = "") -> Self:
+        """Return the text as a label; a name and a message as they are."""
+        return text if isinstance(text, cls | Name | Message) else super().__new__(cls, text)  # type: ignore[return-value]
+
+
 class Message(str):
     """A template with its values.
 

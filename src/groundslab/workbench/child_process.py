@@ -13,6 +13,8 @@ from multiprocessing import connection, parent_process
 from multiprocessing.context import SpawnProcess
 from typing import Any
 
+from groundslab.messages import Message, Name
+
 CONTEXT = multiprocessing.get_context("spawn")
 
 
@@ -37,6 +39,11 @@ class ChildProcess(SpawnProcess):
         self.join()
         super().close()
         self.pipe.close()
+
+
+def explain_error(error: Exception) -> Message:
+    """Return in words that the program itself has failed."""
+    return Message("an error in groundslab itself: {error}", error=Name(f"{type(error).__name__}: {error}"))
 
 
 def set_up_child() -> None:

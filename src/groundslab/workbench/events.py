@@ -9,6 +9,9 @@ from collections.abc import AsyncIterator, Callable, Sequence
 from contextlib import suppress
 from typing import Any
 
+from groundslab.languages import Translator
+from groundslab.workbench.saying import say
+
 #: A comment shows that the server is alive after so long without an event [s].
 KEEP_ALIVE = 15.0
 #: A page that is so many events behind is disconnected; it connects again and receives the present state.
@@ -49,9 +52,15 @@ class Hub:
         queue.put_nowait(event)
 
     async def listen(
-        self, get_current_events: Callable[[], Sequence[Event]], keep_alive: float = KEEP_ALIVE
+        self,
+        get_current_events: Callable[[], Sequence[Event]],
+        translate: Translator = str,
+        keep_alive: float = KEEP_ALIVE,
     ) -> AsyncIterator[bytes]:
-        """Yield the stream for one page: the present state, then every event until the page is disconnected."""
+        """Yield the stream for one page: the present state, then every event until the page is disconnected.
+
+        Messages are written in its language.
+        """
         queue: asyncio.Queue[Event | None] = asyncio.Queue()
         with self._lock:
             if self._closed:
@@ -60,7 +69,7 @@ class Hub:
         try:
             # events since the registration may be sent twice, which does no harm
             for event in await asyncio.to_thread(get_current_events):
-                yield encode_event(event)
+                yield encode_event(event, translate)
             while True:
                 try:
                     received = await asyncio.wait_for(queue.get(), keep_alive)
@@ -69,13 +78,13 @@ class Hub:
                     continue
                 if received is None:
                     return
-                yield encode_event(received)
+                yield encode_event(received, translate)
         finally:
             with self._lock:
                 self._listeners.pop(queue, None)
 
 
-def encode_event(event: Event) -> bytes:
-    """Return an event in the format of server-sent events."""
+def encode_event(event: Event, translate: Translator = str) -> bytes:
+    """Return an event in the format of server-sent events, its messages in a language."""
     name, data = event
-    return f"event: {name}\ndata: {json.dumps(data)}\n\n".encode()
+    return f"event: {name}\ndata: {json.dumps(say(data, translate))}\n\n".encode()

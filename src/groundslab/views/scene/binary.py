@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import json
 import struct
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
@@ -79,3 +80,12 @@ def pack(scene: Scene) -> bytes:
     head = json.dumps(scene.head, ensure_ascii=False, allow_nan=False, separators=(",", ":")).encode()
     padding = -(_LENGTH.size + len(head)) % 8
     return b"".join([_LENGTH.pack(len(head)), head, bytes(padding), scene.data])
+
+
+def with_head(packed: bytes, change: Callable[[dict[str, Any]], None]) -> bytes:
+    """Return a packed scene whose head is changed."""
+    (length,) = _LENGTH.unpack_from(packed)
+    end = _LENGTH.size + length
+    head = json.loads(packed[_LENGTH.size : end])
+    change(head)
+    return pack(Scene(head, packed[end + -end % 8 :]))

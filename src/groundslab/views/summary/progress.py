@@ -6,6 +6,8 @@ import time
 from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
+from groundslab.messages import Label, Message, Name, joined
+
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
 
@@ -63,12 +65,11 @@ class CombinationCount:
 
     def words(self) -> str:
         """Return the mesh, number and name of the combination and the time left, empty where there is only one each."""
-        mesh = "" if self.mesh is None else f"mesh {self.mesh}"
-        if self._count == 1:
-            return f"{mesh}: " if mesh else ""
-        left = self.seconds_left()
-        about = "" if left is None or left < 1.0 else f", about {left:.0f} s left on this mesh"
-        return f"{mesh}{', ' if mesh else ''}{len(self._names)} of {self._count}, {self._name}{about}: "
+        parts = self._mesh_words()
+        if self._count > 1:
+            number = Message("{number} of {count}", number=len(self._names), count=self._count)
+            parts += [number, Name(self._name), *self._left_words()]
+        return joined(parts) + ": " if parts else ""
 
     def describe(self, step: Step | None = None) -> str:
         """Return how the analysis goes on in words for engineers, empty where there is nothing to tell them yet.
@@ -76,17 +77,24 @@ class CombinationCount:
         Which combination is solved on which mesh, whether the slab lifts off, and the time that is left; `words` and
         `line` have the iterations.
         """
-        parts = [f"combination {len(self._names)} of {self._count}"] if self._count > 1 and self._names else []
-        if self.mesh is not None:
-            parts.append(f"mesh {self.mesh}")
+        parts: list[str] = []
+        if self._count > 1 and self._names:
+            parts.append(Message("combination {number} of {count}", number=len(self._names), count=self._count))
+        parts += self._mesh_words()
         if step is not None and step.increment > 1:
-            parts.append(f"load step {step.increment}")
+            parts.append(Message("load step {number}", number=step.increment))
         if step is not None and (step.changed or step.iteration > 1):
-            parts.append(f"where the slab lifts off (step {step.iteration})")
+            parts.append(Message("where the slab lifts off (step {number})", number=step.iteration))
+        return joined([*parts, *self._left_words()])
+
+    def _mesh_words(self) -> list[str]:
+        """Return which mesh it is, empty where it is the only one."""
+        return [] if self.mesh is None else [Message("mesh {number}", number=self.mesh)]
+
+    def _left_words(self) -> list[str]:
+        """Return how much time is left, empty where that is not known or none."""
         left = self.seconds_left()
-        if left is not None and left >= 1.0:
-            parts.append(f"about {left:.0f} s left on this mesh")
-        return ", ".join(parts)
+        return [] if left is None or left < 1.0 else [Message("about {left:.0f} s left on this mesh", left=left)]
 
 
 class Progress:
@@ -102,7 +110,7 @@ class Progress:
     def begin(self, combination: Combination) -> None:
         """Show that the next combination begins; where there is only one, it is not named."""
         self._combinations.begin(combination.name)
-        self._show(f"{self._combinations.words()}begins")
+        self._show(self._combinations.words() + Label("begins"))
 
     def __call__(self, step: Step) -> None:
         """Show a step."""
@@ -140,8 +148,12 @@ def in_file(
 
 def line(step: Step) -> str:
     """Return one step of the iteration in words."""
-    gamma = "" if step.gamma is None else f", gamma {step.gamma:.5g}"
-    return (
-        f"{step.unknowns} unknowns, load {step.increment}{gamma}, contact {step.iteration}: "
-        f"{step.in_contact} closed, {step.changed} changed"
+    return Message(
+        "{unknowns} unknowns, load {load}{gamma}, contact {contact}: {closed} closed, {changed} changed",
+        unknowns=step.unknowns,
+        load=step.increment,
+        gamma="" if step.gamma is None else Message(", gamma {gamma:.5g}", gamma=step.gamma),
+        contact=step.iteration,
+        closed=step.in_contact,
+        changed=step.changed,
     )

@@ -21,6 +21,7 @@ from pathlib import Path
 from typing import Any
 
 from groundslab.errors import GroundslabError
+from groundslab.messages import Message
 from groundslab.workbench.child_process import ChildProcess, set_up_child
 
 #: Memory that a function may use beyond what the process uses when it is ready [bytes].
@@ -87,7 +88,7 @@ class BoundedProcess:
             try:
                 pipe = self._start()
                 pipe.send((function, arguments))
-                self._wait(seconds, needed, TimeLimit(f"longer than {seconds:g} s"))
+                self._wait(seconds, needed, TimeLimit(Message("longer than {seconds:g} s", seconds=seconds)))
                 succeeded, outcome = pipe.recv()
             except (EOFError, OSError) as error:
                 raise self._why_ended(error) from None

@@ -9,7 +9,8 @@ from typing import Any
 
 from groundslab.errors import InputError, Issue
 from groundslab.geometry.plan import Place
-from groundslab.workbench.checking.file_reader import FileKind, FileReader
+from groundslab.messages import Message, Name, quoted
+from groundslab.workbench.checking.file_reader import ENDING, FileKind, FileReader
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,7 +44,7 @@ class DrawingReader(FileReader):
 
     def _call(self, function: Callable[..., Any], path: Path, *arguments: Any) -> Any:
         if path.suffix.lower() != ".dxf":
-            raise InputError([Issue(str(path), f'"{path.suffix}"', 'a name that ends with ".dxf"')])
+            raise InputError([Issue(str(path), quoted([path.suffix]), Message(ENDING, ending=Name(".dxf")))])
         return self.call(function, str(path), *arguments)
 
 

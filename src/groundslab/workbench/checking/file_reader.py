@@ -12,7 +12,11 @@ from pathlib import Path
 from typing import Any, ClassVar
 
 from groundslab.errors import InputError, Issue
+from groundslab.messages import Message, Name
 from groundslab.workbench.checking.bounded_process import MEMORY, BoundedProcess, CallFailure, MemoryLimit, TimeLimit
+
+#: What is expected of the name of a file.
+ENDING = 'a name that ends with "{ending}"'
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,7 +54,7 @@ class FileReader:
             except InputError:
                 raise
             except Exception as error:  # of any kind, as what is damaged may be anything
-                found = f"a damaged file ({type(error).__name__}: {error})"
+                found = Message("a damaged file ({error})", error=Name(f"{type(error).__name__}: {error}"))
                 raise InputError([Issue(str(path), found, self.kind.expected, self.kind.if_damaged)]) from None
             finally:
                 process.close()
@@ -58,10 +62,12 @@ class FileReader:
     def _explain(self, error: CallFailure) -> str:
         """Return in words why a file could not be read."""
         if isinstance(error, TimeLimit):
-            return f"{self.kind.words} that takes {error} to read"
+            return Message("{file} that takes {time} to read", file=self.kind.words, time=str(error))
         if isinstance(error, MemoryLimit):
-            return f"{self.kind.words} that takes too much memory to read ({error})"
-        return f"{self.kind.words} that cannot be read ({error})"
+            return Message(
+                "{file} that takes too much memory to read ({error})", file=self.kind.words, error=str(error)
+            )
+        return Message("{file} that cannot be read ({error})", file=self.kind.words, error=str(error))
 
 
 def load_libraries(names: tuple[str, ...]) -> None:

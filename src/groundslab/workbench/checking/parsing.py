@@ -17,6 +17,7 @@ from typing import Any
 from groundslab.case import casefile
 from groundslab.case.building_file import with_matrix
 from groundslab.errors import InputError, Issue
+from groundslab.workbench.child_process import explain_error
 from groundslab.workbench.editing import diagnostics
 from groundslab.workbench.editing.document import Document, Edit
 
@@ -79,7 +80,7 @@ def check(document: Document, folder: Path | None = None) -> CheckResult:
         raise
     except Exception as error:
         traceback.print_exc()
-        found = f"an error in groundslab itself ({type(error).__name__}: {error})"
+        found = explain_error(error)
         issues = (Issue("the description", found, "a description that it can read", "undo the last step"),)
     issues_json = diagnostics.text_issues_to_json(issues, document.layout, document.data is not None)
     return CheckResult("", issues, issues_json, None)

@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from groundslab.errors import InputError, Issue
+from groundslab.messages import Message, Name, quoted
 from groundslab.workbench.checking.buildings import BuildingReader
 from groundslab.workbench.checking.saf import ConvertedSlab, SafReader
 
@@ -39,5 +40,6 @@ def _is_building(path: Path) -> bool:
     """Return whether a file is a building model; raises InputError if it is no workbook either."""
     suffix = path.suffix.lower()
     if suffix not in (WORKBOOK, BUILDING):
-        raise InputError([Issue(str(path), f'"{path.suffix}"', f'a name that ends with "{WORKBOOK}" or "{BUILDING}"')])
+        expected = Message('a name that ends with "{one}" or "{other}"', one=Name(WORKBOOK), other=Name(BUILDING))
+        raise InputError([Issue(str(path), quoted([path.suffix]), expected)])
     return suffix == BUILDING

@@ -8,6 +8,7 @@ from dataclasses import replace
 from typing import Any
 
 from groundslab.errors import InputError, Issue
+from groundslab.messages import Message, Name
 from groundslab.workbench.checking import parsing
 from groundslab.workbench.checking.bounded_process import (
     BoundedProcess,
@@ -73,7 +74,12 @@ class Checker:
             return changed
         except CallFailure as error:
             hint = "edit the text instead, or undo the last step"
-            issue = Issue("the edit", f"a case that cannot be read ({error})", "one that can be", hint)
+            issue = Issue(
+                "the edit",
+                Message("{file} that cannot be read ({error})", file="a case", error=str(error)),
+                "one that can be",
+                hint,
+            )
             raise InputError([issue]) from None
         finally:
             with self._changed:
@@ -139,10 +145,18 @@ def _explain_failure(error: Exception) -> CheckResult:
     """Return the result for a text that could not be checked."""
     hint = "undo the last step, or look for very large counts or lengths"
     if isinstance(error, TimeLimit):
-        issue = Issue("the description", f"a case that takes {error} to read", "one that can be read", hint)
+        issue = Issue(
+            "the description",
+            Message("{file} that takes {time} to read", file="a case", time=str(error)),
+            "one that can be read",
+            hint,
+        )
     elif isinstance(error, MemoryLimit):
-        issue = Issue("the description", f"a case that takes too much memory to read ({error})", "a smaller one", hint)
+        memory = Message("{file} that takes too much memory to read ({error})", file="a case", error=str(error))
+        issue = Issue("the description", memory, "a smaller one", hint)
     else:
-        found = f"a case that cannot be read ({type(error).__name__}: {error})"
+        found = Message(
+            "{file} that cannot be read ({error})", file="a case", error=Name(f"{type(error).__name__}: {error}")
+        )
         issue = Issue("the description", found, "one that can be read", "undo the last step")
     return CheckResult("", (issue,), diagnostics.issues_to_json([issue]), None)

@@ -8,6 +8,7 @@ from functools import partial
 from pathlib import Path
 
 from groundslab.errors import InputError, Issue
+from groundslab.messages import Message
 from groundslab.workbench.checking.bounded_process import BoundedProcess, CallFailure
 from groundslab.workbench.checking.file_reader import load_libraries
 from groundslab.workbench.exports.files import SAF, Exported, limit_notes
@@ -32,7 +33,7 @@ class CaseWriter:
                 exported: Exported = process.call(write_saf, text, seconds=self._seconds)
                 return exported
             except CallFailure as error:
-                found = f"a case that cannot be written ({error})"
+                found = Message("a case that cannot be written ({error})", error=str(error))
                 raise InputError([Issue("the SAF file", found, "a smaller case")]) from None
             finally:
                 process.close()

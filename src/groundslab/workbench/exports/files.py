@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-import json
 import pickle
 import tempfile
 import zipfile
 from collections.abc import Callable, Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal, get_args
 
 from groundslab.errors import InputError, Issue
+from groundslab.messages import Label, Message
 from groundslab.schema.wording import describe
 
 if TYPE_CHECKING:
@@ -53,15 +53,6 @@ class Wanted:
         what = self.file.replace("plan", f"{self.field or 'plan'}{difference}")
         return f"{Path(self.case).stem}-{what}"
 
-    def to_text(self) -> str:
-        """Return what ``from_text`` turns into an equal value."""
-        return json.dumps(asdict(self))
-
-    @classmethod
-    def from_text(cls, text: str) -> Wanted:
-        """Return what a text says."""
-        return cls(**json.loads(text))
-
 
 @dataclass(frozen=True, slots=True)
 class Exported:
@@ -72,13 +63,12 @@ class Exported:
 
     def to_bytes(self) -> bytes:
         """Return what ``from_bytes`` turns into an equal value."""
-        return json.dumps(self.notes).encode() + b"\n" + self.content
+        return pickle.dumps((self.content, self.notes))
 
     @classmethod
     def from_bytes(cls, packed: bytes) -> Exported:
         """Return what was packed."""
-        notes, _, content = packed.partition(b"\n")
-        return cls(content, tuple(json.loads(notes)))
+        return cls(*pickle.loads(packed))
 
 
 def export(
@@ -104,9 +94,9 @@ def export(
 
 def limit_notes(content: bytes, notes: Sequence[str]) -> Exported:
     """Return a file with as many notes as are passed on, and how many there are besides."""
-    listed = [note if len(note) <= LONGEST else f"{note[:LONGEST]} ..." for note in notes[:LISTED]]
+    listed = [note if len(note) <= LONGEST else Label(f"{note[:LONGEST]} ...") for note in notes[:LISTED]]
     more = len(notes) - len(listed)
-    return Exported(content, (*listed, f"{more:,} more") if more else tuple(listed))
+    return Exported(content, (*listed, Message("{count:,} more", count=more)) if more else tuple(listed))
 
 
 def _write_tables(results: Results, _: Wanted, path: Path) -> Sequence[str]:

@@ -10,7 +10,9 @@ from urllib.parse import quote
 from fastapi import FastAPI, Query
 from fastapi.responses import Response
 
+from groundslab.messages import Label
 from groundslab.workbench.exports.files import Exported, ExportName, Wanted
+from groundslab.workbench.saying import present_translator, say
 
 #: Carries what is said of a file, as JSON whose letters are escaped as in addresses.
 NOTES = "X-Groundslab-Notes"
@@ -45,7 +47,9 @@ def add_difference_route(app: FastAPI, write: Callable[[int, Wanted, int | None]
 def respond_export(name: str, made: Exported) -> Response:
     """Return a file with what is said of it."""
     response = respond_download(name, made.content, "application/octet-stream")
-    response.headers[NOTES] = quote(json.dumps(made.notes), safe="")
+    response.headers[NOTES] = quote(
+        json.dumps(say([Label(note) for note in made.notes], present_translator())), safe=""
+    )
     return response
 
 

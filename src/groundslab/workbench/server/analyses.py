@@ -115,7 +115,7 @@ class Analyses:
     def write_difference(self, run: int, wanted: Wanted, reference: int | None) -> bytes:
         """Return the packed scene of the results of a run minus what is wanted; raises InputError."""
         wanted = replace(wanted, reference=self._references.find(reference))
-        return self.solver.make_view(("difference", run, wanted.to_text()))
+        return self.solver.make_view(("difference", run, wanted))
 
     def export(self, run: int, wanted: Wanted, reference: int | None = None) -> tuple[str, Exported]:
         """Return a name for a file that is made of the results of a run, and the file; raises InputError.
@@ -125,7 +125,7 @@ class Analyses:
         wanted = replace(wanted, reference=self._references.find(reference))
         if wanted.file == "report.pdf" and self._is_outdated(run):
             wanted = replace(wanted, remark=Message(CHANGED, file=Name(wanted.case)))
-        return wanted.name, Exported.from_bytes(self.solver.make_view(("export", run, wanted.to_text())))
+        return wanted.name, Exported.from_bytes(self.solver.make_view(("export", run, wanted)))
 
     def write_saf(self, case: Path) -> tuple[str, Exported]:
         """Return a name for the present case in the Structural Analysis Format, and the file; raises InputError.

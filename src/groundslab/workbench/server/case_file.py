@@ -9,7 +9,9 @@ from typing import Any
 
 from groundslab.case import casefile
 from groundslab.errors import InputError, Issue
+from groundslab.messages import Message, Name, quoted
 from groundslab.storage import atomic, bounded
+from groundslab.workbench.checking.file_reader import ENDING
 from groundslab.workbench.persistence import files
 from groundslab.workbench.persistence.lock import Lock
 
@@ -29,8 +31,11 @@ class OpenElsewhere(Conflict):
     def __init__(self, path: Path, owner: Mapping[str, Any]) -> None:
         self.url = str(owner.get("url", ""))
         self.pid = owner.get("pid")
-        found = f"a file that another workbench has open (process {self.pid})"
-        super().__init__("open", [Issue(str(path), found, "a file that is free", self.url and f"go to {self.url}")])
+        found = Message("a file that another workbench has open (process {process})", process=str(self.pid))
+        super().__init__(
+            "open",
+            [Issue(str(path), found, "a file that is free", self.url and Message("go to {url}", url=Name(self.url)))],
+        )
 
 
 class CaseFile:
@@ -109,7 +114,7 @@ def lock_file(path: Path, state: Path, url: str) -> Lock:
     try:
         lock, owner = Lock.acquire(state / "open" / f"{name}.lock", {"pid": os.getpid(), "url": url, "file": str(path)})
     except OSError as error:
-        found = f"no folder for the list of open cases ({files.describe_error(error)})"
+        found = Message("no folder for the list of open cases ({error})", error=files.describe_error(error))
         raise InputError([Issue(str(state), found, "a folder that can be written")]) from None
     if lock is None:
         raise OpenElsewhere(path, owner)
@@ -151,7 +156,7 @@ def resolve_target(name: str | None, present: CaseFile) -> Path:
     if files.try_check(target.is_dir):
         raise InputError([Issue(str(target), "a folder", "a name for a file")])
     if target.suffix.lower() != ".toml":
-        raise InputError([Issue(str(target), f'"{target.suffix}"', 'a name that ends with ".toml"')])
+        raise InputError([Issue(str(target), quoted([target.suffix]), Message(ENDING, ending=Name(".toml")))])
     return target
 
 

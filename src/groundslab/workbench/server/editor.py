@@ -6,6 +6,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 from threading import RLock
 
+from groundslab.messages import Label
 from groundslab.workbench.checking.bounded_process import BoundedProcess
 from groundslab.workbench.checking.revision import Revision
 from groundslab.workbench.checking.thread import Checker
@@ -57,7 +58,7 @@ class Editor:
                 if before.version != self.revision.version:
                     continue  # another edit was faster
                 if after.text != before.document.text:
-                    self.copy.history.record(before.document.text, label or "Edit", merges)
+                    self.copy.history.record(before.document.text, label or Label("Edit"), merges)
                     self._set_document(after)
             return
 
@@ -81,7 +82,7 @@ class Editor:
                 # a file that has changed since the work began must not be overwritten unasked
                 self.copy.file.base = offer.base
                 if offer.document.text != before.text:
-                    self.copy.history.record(before.text, "Restore unsaved work")
+                    self.copy.history.record(before.text, Label("Restore unsaved work"))
                 self._set_document(offer.document)
                 if not self.copy.autosave_error:
                     autosave.remove(offer)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import mimetypes
+import pickle
 from collections.abc import Sequence
 from dataclasses import replace
 from functools import cache
@@ -11,18 +12,20 @@ from typing import Annotated, Any
 
 from fastapi import FastAPI, Request
 from fastapi.exceptions import RequestValidationError
-from fastapi.responses import JSONResponse, RedirectResponse, Response, StreamingResponse
+from fastapi.responses import RedirectResponse, Response, StreamingResponse
 from fastapi.staticfiles import StaticFiles
 from pydantic import BaseModel, ConfigDict, Field
 
 from groundslab.errors import InputError, Issue
 from groundslab.exchange.reactions import Choices
 from groundslab.languages import Language, page_messages
+from groundslab.messages import Label, Message, joined
 from groundslab.model.model import json_schema
 from groundslab.workbench.editing import diagnostics
 from groundslab.workbench.exports.files import Exported, Wanted
 from groundslab.workbench.exports.routes import add_export_route, respond_download, respond_export
 from groundslab.workbench.persistence import files
+from groundslab.workbench.saying import Answer, Route, present_translator, say_refusals
 from groundslab.workbench.server.case_file import Conflict, OpenElsewhere
 from groundslab.workbench.server.file_routes import add_accuracy_routes, add_changed_file_routes, add_difference_routes
 from groundslab.workbench.server.help_routes import add_documentation_routes, add_example_routes
@@ -32,6 +35,8 @@ from groundslab.workbench.server.session import Session, State
 from groundslab.workbench.solver.comparer import TASKS, Kind
 
 UNTITLED = Path("case.toml")
+#: What is read of an issue.
+_READ = ("location", "found", "expected", "hint")
 STATIC = Path(__file__).parents[1] / "static"
 #: A system may register other types, and a browser runs no script of type text/plain.
 TYPES = {".js": "text/javascript", ".css": "text/css", ".svg": "image/svg+xml", ".woff2": "font/woff2"}
@@ -115,7 +120,7 @@ class Shown(_Body):
 
 def create_app(session: Session, tickets: Tickets, port: int, token: str, static: Path = STATIC) -> Guard:
     """Return the server's application."""
-    app = FastAPI(docs_url=None, redoc_url=None, openapi_url=None)
+    app = make_app()
     add_error_handlers(app)
     _add_conflict_handler(app, session)
     _add_document_routes(app, session)
@@ -128,6 +133,13 @@ def create_app(session: Session, tickets: Tickets, port: int, token: str, static
     add_changed_file_routes(app, session)
     add_accuracy_routes(app, session.analyses)
     return guard_app(app, tickets, port, token, static)
+
+
+def make_app() -> FastAPI:
+    """Return an application without routes, which answers in the language of each request."""
+    app = FastAPI(docs_url=None, redoc_url=None, openapi_url=None, default_response_class=Answer)
+    app.router.route_class = Route
+    return app
 
 
 def guard_app(app: FastAPI, tickets: Tickets, port: int, token: str, static: Path = STATIC) -> Guard:
@@ -144,36 +156,43 @@ def add_error_handlers(app: FastAPI) -> None:
     """Return errors as {"error": ...}."""
 
     @app.exception_handler(InputError)
-    async def handle_input_error(_: Request, error: InputError) -> JSONResponse:
-        return JSONResponse({"error": _error_to_json(error.issues)}, 422)
+    async def handle_input_error(_: Request, error: InputError) -> Answer:
+        return Answer({"error": _error_to_json(error.issues)}, 422)
 
     @app.exception_handler(OSError)
-    async def handle_os_error(_: Request, error: OSError) -> JSONResponse:
+    async def handle_os_error(_: Request, error: OSError) -> Answer:
         location = str(error.filename or "the system")
-        issue = Issue(location, files.describe_error(error), "a place that can be used")
-        return JSONResponse({"error": _error_to_json([issue])}, 422)
+        issue = Issue(location, files.describe_error(error), Label("a place that can be used"))
+        return Answer({"error": _error_to_json([issue])}, 422)
 
     @app.exception_handler(RequestValidationError)
-    async def handle_validation_error(_: Request, error: RequestValidationError) -> JSONResponse:
+    async def handle_validation_error(_: Request, error: RequestValidationError) -> Answer:
         messages = [f"{'.'.join(map(str, error['loc']))}: {error['msg']}" for error in error.errors()]
-        return JSONResponse({"error": {"message": "; ".join(messages), "issues": []}}, 422)
+        return Answer({"error": {"message": "; ".join(messages), "issues": []}}, 422)
 
 
 def _add_conflict_handler(app: FastAPI, session: Session) -> None:
     """Return conflicts as errors; an edit of an old version is answered with the present state."""
 
     @app.exception_handler(Conflict)
-    def handle_conflict(_: Request, error: Conflict) -> JSONResponse:
+    def handle_conflict(_: Request, error: Conflict) -> Answer:
         if error.kind == "version":
-            return JSONResponse(session.get_state(), 409)
+            return Answer(session.get_state(), 409)
         url = {"url": error.url} if isinstance(error, OpenElsewhere) else {}
-        return JSONResponse({"error": {"kind": error.kind, **url, **_error_to_json(error.issues)}}, 409)
+        return Answer({"error": {"kind": error.kind, **url, **_error_to_json(error.issues)}}, 409)
 
 
 def _error_to_json(issues: Sequence[Issue]) -> dict[str, Any]:
     """Return issues as data for the page; a single one also without the list."""
-    data = diagnostics.issues_to_json(issues)
-    return {**(data[0] if len(data) == 1 else {"message": "\n".join(map(str, issues))}), "issues": data}
+    data = [about | {key: Label(about[key]) for key in _READ} for about in diagnostics.issues_to_json(issues)]
+    return {**(data[0] if len(data) == 1 else {"message": joined(map(_line, issues), "\n")}), "issues": data}
+
+
+def _line(issue: Issue) -> str:
+    """Return an issue on one line."""
+    found, expected, hint = map(Label, (issue.found, issue.expected, issue.hint))
+    template = "found {found}, expected {expected} — {hint}" if hint else "found {found}, expected {expected}"
+    return joined((Label(issue.location), Message(template, found=found, expected=expected, hint=hint)), ": ")
 
 
 def _add_ticket_routes(app: FastAPI, tickets: Tickets, token: str) -> None:
@@ -236,8 +255,8 @@ def _add_import_routes(app: FastAPI, session: Session) -> None:
     """Add the routes of files of other programs: drawings, slabs, tables of reactions."""
 
     @app.get("/api/drawing")
-    def survey_drawing(file: str) -> JSONResponse:
-        return JSONResponse(session.survey_drawing(file))
+    def survey_drawing(file: str) -> Answer:
+        return Answer(session.survey_drawing(file))
 
     @app.post("/api/drawing")
     def open_drawing(body: OpenDrawing) -> dict[str, Any]:
@@ -245,8 +264,8 @@ def _add_import_routes(app: FastAPI, session: Session) -> None:
         return {"state": session.get_state(), "report": converted.report, "origin": converted.origin}
 
     @app.get("/api/slabs")
-    def survey_slabs(file: str) -> JSONResponse:
-        return JSONResponse({"slabs": session.survey_slabs(file)})
+    def survey_slabs(file: str) -> Answer:
+        return Answer({"slabs": session.survey_slabs(file)})
 
     @app.post("/api/slabs")
     def open_slab(body: OpenSlab) -> dict[str, Any]:
@@ -266,13 +285,13 @@ def add_schema_route(app: FastAPI) -> None:
 
     @app.get("/api/schema", **describe("The JSON schema of a case file"))
     @cache
-    def get_schema() -> JSONResponse:
-        return JSONResponse(json_schema())
+    def get_schema() -> Answer:
+        return Answer(json_schema())
 
     @app.get("/api/languages/{language}")
     @cache
-    def get_messages(language: Language) -> JSONResponse:
-        return JSONResponse(page_messages(language))
+    def get_messages(language: Language) -> Answer:
+        return Answer(page_messages(language))
 
 
 def _add_solver_routes(app: FastAPI, session: Session) -> None:
@@ -296,12 +315,17 @@ def _add_solver_routes(app: FastAPI, session: Session) -> None:
 
     @app.get("/api/events", **describe("What happens: progress, solved, refused, ...", None, "text/event-stream"))
     async def stream_events() -> StreamingResponse:
-        return StreamingResponse(session.hub.listen(session.get_current_events), media_type="text/event-stream")
+        return StreamingResponse(
+            session.hub.listen(session.get_current_events, present_translator()), media_type="text/event-stream"
+        )
 
     @app.get("/api/results/{run}/scene")
     def get_scene(run: int) -> Response:
         result = schedule.results.get(run)
-        return respond_not_kept() if result is None else Response(result.scene, media_type="application/octet-stream")
+        if result is None:
+            return respond_not_kept()
+        scene = say_refusals(result.scene, result.answer.refused)
+        return Response(scene, media_type="application/octet-stream")
 
     @app.get("/api/results/{run}/preview")
     def get_preview(run: int) -> Response:
@@ -316,7 +340,7 @@ def _add_solver_routes(app: FastAPI, session: Session) -> None:
     @app.get("/api/results/{run}/summary")
     def get_summary(run: int) -> Response:
         result = schedule.results.get(run)
-        return respond_not_kept() if result is None else JSONResponse(result.answer.summary)
+        return respond_not_kept() if result is None else Answer(result.answer.summary)
 
 
 def _add_file_routes(app: FastAPI, session: Session) -> None:
@@ -365,17 +389,17 @@ def _add_table_routes(app: FastAPI, session: Session) -> None:
         result = solver.schedule.results.get(run)
         if result is None:
             return respond_not_kept()
-        return JSONResponse([*result.answer.tables, *comparer.list_kinds(run)])
+        return Answer([*result.answer.tables, *comparer.list_kinds(run)])
 
     @app.get("/api/results/{run}/tables/{name}")
     def get_table(run: int, name: str) -> Response:
         result = solver.schedule.results.get(run)
         compared = next((comparer.get(kind, run) for kind in TASKS if kind == name), None)
         if compared is not None:
-            return Response(compared.table, media_type="application/json")
+            return Answer(compared.table)
         if result is None or name not in result.answer.tables:
             return respond_not_kept()
-        return Response(solver.make_view(("table", run, name)), media_type="application/json")
+        return Answer(pickle.loads(solver.make_view(("table", run, name))))
 
     @app.post("/api/results/{run}/{kind}")
     def compare(run: int, kind: Kind) -> Response:
@@ -383,12 +407,12 @@ def _add_table_routes(app: FastAPI, session: Session) -> None:
         if result is None:
             return respond_not_kept()
         comparer.start(kind, run, result.text, session.file.folder)
-        return JSONResponse({})
+        return Answer({})
 
     @app.get("/api/results/{run}/alternatives")
     def get_alternatives(run: int) -> Response:
         compared = comparer.get("alternatives", run)
-        return respond_not_kept() if compared is None else JSONResponse(compared.cases)
+        return respond_not_kept() if compared is None else Answer(compared.cases)
 
     @app.post("/api/comparison/cancel")
     def cancel_comparison() -> dict[str, Any]:
@@ -396,6 +420,6 @@ def _add_table_routes(app: FastAPI, session: Session) -> None:
         return {}
 
 
-def respond_not_kept() -> JSONResponse:
+def respond_not_kept() -> Answer:
     """Return the answer about a run whose results are gone."""
-    return JSONResponse({"error": {"message": "the results of that run are not kept any more"}}, 404)
+    return Answer({"error": {"message": Label("the results of that run are not kept any more")}}, 404)

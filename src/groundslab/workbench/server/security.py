@@ -15,6 +15,8 @@ from starlette.datastructures import Headers, MutableHeaders
 from starlette.responses import JSONResponse
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
+from groundslab.workbench.saying import take_language
+
 #: Largest body of a request [bytes]; fits the largest case file with every character escaped.
 MAX_BODY = 64_000_000
 API = "/api/"
@@ -90,6 +92,7 @@ class Guard:
 
         if scope["type"] != "http":
             raise ValueError(f"no {scope['type']} here")
+        take_language(scope)
         refused = check_request(scope, self.port, self.token)
         app = self.app
         if refused is not None:

@@ -12,6 +12,7 @@ from typing import Any, Literal
 from groundslab.case import casefile
 from groundslab.errors import InputError, Issue
 from groundslab.exchange.reactions import Choices
+from groundslab.messages import Label
 from groundslab.workbench.checking.bounded_process import BoundedProcess
 from groundslab.workbench.checking.drawings import ConvertedDrawing, DrawingReader
 from groundslab.workbench.checking.reactions import ReactionPreview, ReactionReader
@@ -129,9 +130,9 @@ class Session:
                 raise Conflict("changed", [Issue(str(self.file.path), found, "the file that was compared", hint)])
             self.file.adopt(content)
             if which == "theirs":
-                self.editor.take(theirs, "Reload from disk")
+                self.editor.take(theirs, Label("Reload from disk"))
             elif merged is not None:
-                self.editor.take(replace(theirs, text=merged), "Merge with the file")
+                self.editor.take(replace(theirs, text=merged), Label("Merge with the file"))
             else:
                 self.editor.take(self.editor.copy.document, "")
 
@@ -184,7 +185,7 @@ class Session:
             case_file.resolve_path(name, self.file.folder), revision.document.text, folder, choices
         )
         if base is not None:
-            self.editor.edit([{"op": "text", "value": preview.text}], "Import reactions", base)
+            self.editor.edit([{"op": "text", "value": preview.text}], Label("Import reactions"), base)
         return preview
 
     def solve(self) -> int:

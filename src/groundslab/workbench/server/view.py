@@ -8,22 +8,24 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from fastapi import FastAPI
-from fastapi.responses import JSONResponse, Response, StreamingResponse
+from fastapi.responses import Response, StreamingResponse
 
 from groundslab.case import casefile
 from groundslab.errors import InputError, Issue
+from groundslab.messages import Message
 from groundslab.results.results import refusal_words
 from groundslab.views.files import archive, results_folder
 from groundslab.workbench.events import Event, Hub
 from groundslab.workbench.exports.files import Exported, Wanted, export, write_difference
 from groundslab.workbench.exports.routes import add_difference_route, add_export_route, respond_download
+from groundslab.workbench.saying import Answer, present_translator, say_refusals
 from groundslab.workbench.server.public import add_document_route
 from groundslab.workbench.server.routes import (
     STATIC,
     add_error_handlers,
     add_schema_route,
     guard_app,
+    make_app,
     respond_not_kept,
 )
 from groundslab.workbench.server.security import Guard, Tickets
@@ -55,6 +57,7 @@ class ResultsView:
         self.summary = build_summary(combined)
         self.scene = pack(scene_of(combined))
         self.tables = layout_makers(combined)
+        self.refused = {name: refusal_words(why, combined.model.units) for name, why in combined.refused.items()}
         self._name, self._results, self._text, self._comparison = name, combined, text, comparison
         self._remark = remark
         self._report: bytes | None = None
@@ -108,9 +111,8 @@ class ResultsView:
         design = self.summary["design"]
         headline = design["headline"] if design.get("status") in ("fails", "attention") else ""
         about = {"run": ONLY, "version": ONLY, "seconds": None, "design": headline}
-        refused = {name: refusal_words(why, self._results.model.units) for name, why in self._results.refused.items()}
         provisional = provisional_words(self._results)
-        return [("solved", about | {"refused": refused, "provisional": provisional, "update": 0})]
+        return [("solved", about | {"refused": self.refused, "provisional": provisional, "update": 0})]
 
     def write_document(self, name: str) -> str:
         """Return one of the documents for other programs."""
@@ -147,40 +149,48 @@ class ResultsView:
     def _require_only(run: int, reference: int | None) -> None:
         """Raise InputError of another run, and of a reference, which is never kept here."""
         if run != ONLY:
-            raise InputError([Issue("the export", f"run {run}", f"run {ONLY}")])
+            raise InputError([Issue("the export", _run(run), _run(ONLY))])
         if reference is not None:
             raise InputError([Issue("the reference", f"run {reference}", "none, as one set of results is shown")])
 
 
+def _run(number: int) -> Message:
+    return Message("run {number}", number=number)
+
+
 def create_view_app(view: ResultsView, tickets: Tickets, port: int, token: str, static: Path = STATIC) -> Guard:
     """Return the application that shows results."""
-    app = FastAPI(docs_url=None, redoc_url=None, openapi_url=None)
+    app = make_app()
     add_error_handlers(app)
     add_schema_route(app)
     app.get("/api/state")(view.get_state)
 
     @app.get("/api/events")
     async def stream_events() -> StreamingResponse:
-        return StreamingResponse(view.hub.listen(view.get_current_events), media_type="text/event-stream")
+        return StreamingResponse(
+            view.hub.listen(view.get_current_events, present_translator()), media_type="text/event-stream"
+        )
 
     @app.get("/api/results/{run}/scene")
     def get_scene(run: int) -> Response:
-        return Response(view.scene, media_type="application/octet-stream") if run == ONLY else respond_not_kept()
+        if run != ONLY:
+            return respond_not_kept()
+        return Response(say_refusals(view.scene, view.refused), media_type="application/octet-stream")
 
     @app.get("/api/results/{run}/summary")
     def get_summary(run: int) -> Response:
-        return JSONResponse(view.summary) if run == ONLY else respond_not_kept()
+        return Answer(view.summary) if run == ONLY else respond_not_kept()
 
     @app.get("/api/results/{run}/tables")
     def list_tables(run: int) -> Response:
-        return JSONResponse(list(view.tables)) if run == ONLY else respond_not_kept()
+        return Answer(list(view.tables)) if run == ONLY else respond_not_kept()
 
     @app.get("/api/results/{run}/tables/{name}")
     def get_table(run: int, name: str) -> Response:
         from groundslab.workbench.solver.tables import table_to_json
 
         exists = run == ONLY and name in view.tables
-        return JSONResponse(table_to_json(name, view.tables[name]())) if exists else respond_not_kept()
+        return Answer(table_to_json(name, view.tables[name]())) if exists else respond_not_kept()
 
     def get_document(run: int, name: str) -> Response:
         if run != ONLY:

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+from groundslab.messages import Message
 from groundslab.workbench.editing.document import Document
 from groundslab.workbench.editing.undo import History
 from groundslab.workbench.persistence import autosave, files
@@ -53,7 +54,9 @@ class WorkingCopy:
             try:
                 self._autosave.write(document, self.file.base)
             except OSError as error:
-                self.autosave_error = f"unsaved work cannot be written to the disk: {files.describe_error(error)}"
+                self.autosave_error = Message(
+                    "unsaved work cannot be written to the disk: {error}", error=files.describe_error(error)
+                )
 
     def save(self, target: Path, overwrite: bool, lock: Callable[[Path], Lock]) -> None:
         """Write the document to its file or another one, which ``lock`` locks; raises Conflict and InputError."""

@@ -5,7 +5,6 @@ So neither results that the solver keeps nor runs of edits wait for it, and a co
 
 from __future__ import annotations
 
-import json
 import threading
 import traceback
 from collections.abc import Callable, Mapping
@@ -16,7 +15,8 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, Literal
 
 from groundslab.errors import GroundslabError
-from groundslab.workbench.child_process import ChildProcess, set_up_child
+from groundslab.messages import Label, Message, Name
+from groundslab.workbench.child_process import ChildProcess, explain_error, set_up_child
 from groundslab.workbench.solver.runs import Latest
 from groundslab.workbench.solver.schedule import Notify
 
@@ -35,9 +35,9 @@ OnBegin = Callable[[str, float], None]
 
 @dataclass(frozen=True, slots=True)
 class Compared:
-    """A comparison: its table as JSON, and the cases that can be taken from it by their names."""
+    """A comparison: its table as data for the page, and the cases that can be taken from it by their names."""
 
-    table: bytes
+    table: dict[str, Any]
     cases: dict[str, str] = field(default_factory=dict)
 
 
@@ -95,7 +95,7 @@ class Comparer:
             try:
                 word, *rest = process.pipe.recv()
             except (EOFError, OSError):
-                word, rest = "failed", ["the comparison ended unexpectedly"]
+                word, rest = "failed", [Label("the comparison ended unexpectedly")]
             with self._lock:
                 if process is not self._process:
                     break
@@ -125,19 +125,20 @@ def compare_grounds(text: str, folder: Path, on_begin: OnBegin) -> Compared:
 
     def tell(kind: str) -> None:
         nonlocal begun
-        on_begin(f"Ground {begun + 1} of {GROUNDS}: {kind}", begun / GROUNDS)
+        words = Message("Ground {number} of {count}: {kind}", number=begun + 1, count=GROUNDS, kind=kind)
+        on_begin(words, begun / GROUNDS)
         begun += 1
 
     model = casefile.from_table(casefile.tables(text), folder)
     return Compared(grounds_to_json(comparison.compare_grounds(model, on_begin=tell)))
 
 
-def grounds_to_json(comparison: GroundComparison) -> bytes:
+def grounds_to_json(comparison: GroundComparison) -> dict[str, Any]:
     """Return a comparison of grounds as a table for the page."""
     from groundslab.views.report.ground_models import layout_rows
     from groundslab.workbench.solver.tables import table_to_json
 
-    return json.dumps(table_to_json("comparison", layout_rows(comparison))).encode()
+    return table_to_json("comparison", layout_rows(comparison))
 
 
 def compare_designs(text: str, folder: Path, on_begin: OnBegin) -> Compared:
@@ -148,19 +149,21 @@ def compare_designs(text: str, folder: Path, on_begin: OnBegin) -> Compared:
 
     def tell(name: str, left: int) -> None:
         nonlocal begun
-        on_begin(f"Alternative {begun + 1} of {begun + 1 + left}: {name}", begun / (begun + 1 + left))
+        count = begun + 1 + left
+        words = Message("Alternative {number} of {count}: {name}", number=begun + 1, count=count, name=Name(name))
+        on_begin(words, begun / count)
         begun += 1
 
     comparison = compare_texts(text, folder, tell)
     return Compared(designs_to_json(comparison), {design.name: design.text for design in comparison.alternatives})
 
 
-def designs_to_json(comparison: DesignComparison) -> bytes:
+def designs_to_json(comparison: DesignComparison) -> dict[str, Any]:
     """Return a comparison of designs as a table for the page."""
     from groundslab.study.alternatives.rows import layout_rows
     from groundslab.workbench.solver.tables import table_to_json
 
-    return json.dumps(table_to_json("alternatives", layout_rows(comparison))).encode()
+    return table_to_json("alternatives", layout_rows(comparison))
 
 
 TASKS: Mapping[Kind, Task] = MappingProxyType({"comparison": compare_grounds, "alternatives": compare_designs})
@@ -175,4 +178,4 @@ def main(pipe: Connection, task: Task, text: str, folder: Path) -> None:
         pipe.send(("failed", str(error)))
     except Exception as error:
         traceback.print_exc()
-        pipe.send(("failed", f"an error in groundslab itself: {type(error).__name__}: {error}"))
+        pipe.send(("failed", explain_error(error)))

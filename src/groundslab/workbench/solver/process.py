@@ -12,7 +12,7 @@ between two steps of a run, too.
 
 from __future__ import annotations
 
-import json
+import pickle
 import time
 import traceback
 from collections.abc import Callable, Mapping
@@ -23,8 +23,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from groundslab.errors import GroundslabError, InputError
-from groundslab.messages import Message, Name
-from groundslab.workbench.child_process import set_up_child
+from groundslab.messages import Label, Message, Name
+from groundslab.workbench.child_process import explain_error, set_up_child
 from groundslab.workbench.exports.files import (
     Wanted,
     export,
@@ -82,8 +82,8 @@ class Progress:
 
 #: Called before each chapter of a report with its title and the share that is made.
 Told = Callable[[str, float], None]
-#: What is made of the results of a run: "report", "archive" or "table", the run, the name of the case or of the table.
-View = tuple[str, int, str]
+#: What is made of the results of a run: its kind, the run, and the name of the case or of a table, or what is wanted.
+View = tuple[str, int, "str | Wanted"]
 #: Solves a text; returns the answer, the packed scene, and the data for a report.
 Task = Callable[[str, Progress], tuple[Answer, bytes, Any]]
 
@@ -129,7 +129,7 @@ def solve(text: str, progress: Progress) -> tuple[Answer, bytes, Solved]:
 
     def on_combination(combination: Combination) -> None:
         combinations.begin(combination.name)
-        progress(combinations.describe(), combinations.share, f"{combinations.words()}begins")
+        progress(combinations.describe(), combinations.share, combinations.words() + Label("begins"))
 
     def look(after: float) -> None:
         nonlocal has_preview
@@ -205,10 +205,10 @@ def _show_preview(model: Model, progress: Progress, name: str) -> None:
     from groundslab.workbench.solver.summary import build_summary
 
     with suppress(GroundslabError):
-        preview = solve_preview(model, name, lambda _: progress("a preview on a coarse mesh", None))
+        preview = solve_preview(model, name, lambda _: progress(Label("a preview on a coarse mesh"), None))
         if len(preview):
             (figures,) = build_summary(preview, with_checks=False)["combinations"]
-            progress.show("on a coarse mesh, of this combination only", figures, pack(scene_of(preview)))
+            progress.show(Label("on a coarse mesh, of this combination only"), figures, pack(scene_of(preview)))
 
 
 def warm_up(progress: Progress) -> None:
@@ -298,10 +298,10 @@ def _solve(pipe: Connection, stop: Any, task: Task, job: Job, by_run: Mapping[in
     except GroundslabError as error:
         pipe.send(("refused", run, str(error), list(error.issues) if isinstance(error, InputError) else []))
     except MemoryError:
-        pipe.send(("refused", run, "not enough memory for this analysis; a coarser mesh needs less", []))
+        pipe.send(("refused", run, Label("not enough memory for this analysis; a coarser mesh needs less"), []))
     except Exception as error:
         traceback.print_exc()
-        pipe.send(("refused", run, f"an error in groundslab itself: {type(error).__name__}: {error}", []))
+        pipe.send(("refused", run, explain_error(error), []))
     else:
         pipe.send(("solved", run, answer))
         pipe.send_bytes(scene)
@@ -322,7 +322,7 @@ def _send_view(pipe: Connection, view: View, by_run: Mapping[int, Any]) -> None:
     """Send a report, an archive or a table of a run, if anything is known of it."""
     kind, run, name = view
     if run not in by_run:
-        pipe.send(("view", view, "the results of that run are not kept any more; solve again"))
+        pipe.send(("view", view, Label("the results of that run are not kept any more; solve again")))
         return
 
     def told(title: str, share: float) -> None:
@@ -334,7 +334,7 @@ def _send_view(pipe: Connection, view: View, by_run: Mapping[int, Any]) -> None:
         pipe.send(("view", view, error.issues))
     except Exception as error:
         traceback.print_exc()
-        pipe.send(("view", view, f"it cannot be made: {error}"))
+        pipe.send(("view", view, Message("it cannot be made: {error}", error=Name(error))))
     else:
         pipe.send(("view", view, ""))
         pipe.send_bytes(content)
@@ -368,25 +368,24 @@ def _write_archive(solved: Solved, file: str, told: Told) -> bytes:
     return pack_results(solved.results, solved.text, _render_report(solved, file, told))
 
 
-def _write_export(solved: Solved, wanted: str, _: Told) -> bytes:
+def _write_export(solved: Solved, wanted: Wanted, _: Told) -> bytes:
     """Return a file for other programs, packed with what is said of it."""
-    about, results = Wanted.from_text(wanted), solved.results
-    comparison = _compare(results.model) if about.file == "report.pdf" else None
-    return export(results, about, solved.text, comparison).to_bytes()
+    comparison = _compare(solved.results.model) if wanted.file == "report.pdf" else None
+    return export(solved.results, wanted, solved.text, comparison).to_bytes()
 
 
 def _write_table(solved: Solved, name: str, _: Told | None = None) -> bytes:
-    """Return a table as JSON."""
+    """Return a table as data that keep their messages, which the server writes in the language of each page."""
     from groundslab.workbench.solver.tables import table_to_json
 
-    return json.dumps(table_to_json(name, solved.tables[name]()), allow_nan=False).encode()
+    return pickle.dumps(table_to_json(name, solved.tables[name]()))
 
 
 #: What writes each kind of view.
-WRITERS: dict[str, Callable[[Solved, str, Told], bytes]] = {
+WRITERS: dict[str, Callable[[Solved, Any, Told], bytes]] = {
     "report": _write_report, OUTDATED: _write_outdated_report, "archive": _write_archive, "table": _write_table,
     "export": _write_export, "document": lambda solved, name, _: write_document(solved.results, name),
     "bars": lambda solved, folder, _: write_proposal(solved.results, solved.case, Path(folder)),
-    "difference": lambda solved, wanted, _: write_difference(solved.results, Wanted.from_text(wanted)),
+    "difference": lambda solved, wanted, _: write_difference(solved.results, wanted),
     "reference": lambda solved, file, _: write_reference(solved.results, Path(file)),
 }  # fmt: skip

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
 from groundslab.errors import InputError, Issue
+from groundslab.messages import Label, Message
 from groundslab.workbench.solver.answer import Answer
 from groundslab.workbench.solver.process import View
 
@@ -125,4 +126,4 @@ def make_view_error(kind: str, reason: str | Sequence[Issue]) -> InputError:
     """Return the error for a report or a table that cannot be made."""
     if not isinstance(reason, str):
         return InputError(reason)
-    return InputError([Issue(f"the {kind}", reason, "results that are kept")])
+    return InputError([Issue(Message("the {file}", file=Label(kind)), reason, Label("results that are kept"))])

@@ -9,6 +9,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+from groundslab.messages import Message
 from groundslab.workbench.editing.diagnostics import issues_to_json
 from groundslab.workbench.solver.cost import USUAL_RATE, measure_rate
 from groundslab.workbench.solver.runs import Job, Latest, Result
@@ -188,5 +189,5 @@ class Schedule:
         if job is None:
             self.finish()
             return
-        message = f"the solver ended unexpectedly ({how}); no part of the case is lost"
+        message = Message("the solver ended unexpectedly ({how}); no part of the case is lost", how=how)
         self.finish("refused", job.to_json() | {"message": message, "issues": []})

@@ -11,6 +11,7 @@ from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
+from groundslab.messages import Label
 from groundslab.results.fields import LAYERS, RANGED_FIELDS
 from groundslab.views.report import content, table_layout
 from groundslab.views.report.table_layout import Cell, TableHeader, TableLayout
@@ -58,18 +59,18 @@ def layout_makers(combined: Results) -> dict[str, Maker]:
 
 
 def table_to_json(name: str, layout: TableLayout) -> dict[str, Any]:
-    """Return a table as data for the page."""
+    """Return a table as data for the page; its words are labels and messages, but for names."""
     texts = [head.text for head in layout.heads]
     items = [at for at, text in enumerate(texts) if text in ITEMS]
     named = next((texts.index(text) for text in FIELD_COLUMNS if text in texts), None)
     return {
         "name": name,
-        "title": layout.title,
+        "title": Label(layout.title),
         "heads": [_head_to_json(head, at, texts) for at, head in enumerate(layout.heads)],
-        "rows": [[_cell_to_json(cell) for cell in row] for row in layout.rows],
+        "rows": [[_cell_to_json(*pair) for pair in zip(row, texts, strict=True)] for row in layout.rows],
         "fields": None if named is None else [FIELDS.get(row[named].text) for row in layout.rows],
         "item": {"list": ITEMS[texts[items[0]]], "column": items[0]} if items else None,
-        "notes": list(layout.notes),
+        "notes": [Label(note) for note in layout.notes],
     }
 
 
@@ -101,7 +102,7 @@ def _head_to_json(head: TableHeader, at: int, texts: Sequence[str]) -> dict[str,
         stem = stem.removeprefix(start)
     positions = {text: position for position, text in enumerate(texts)}
     return {
-        "text": head.text,
+        "text": head.text if head.plain else Label(head.text),
         "unit": head.unit,
         "number": head.number,
         "symbol": head.symbol,
@@ -121,7 +122,12 @@ def _find_place(stem: str, positions: Mapping[str, int]) -> list[int] | None:
     return None
 
 
-def _cell_to_json(cell: Cell) -> str | list[str]:
-    """Return a cell: its text alone, or with what is under it and what it is."""
+def _cell_to_json(cell: Cell, head: str) -> str | list[str]:
+    """Return a cell: its text alone, or with what is under it and what it is.
+
+    A page reads numbers, and combinations by their names.
+    """
+    stays = cell.kind == "number" or head.startswith("combination")
+    text = cell.text if stays else Label(cell.text)
     plain = cell.kind in ("", "number") and not cell.under
-    return cell.text if plain else [cell.text, cell.under, cell.kind]
+    return text if plain else [text, Label(cell.under), cell.kind]

@@ -14,6 +14,7 @@ from contextlib import suppress
 from multiprocessing import Pipe, connection
 from typing import Any
 
+from groundslab.messages import Label
 from groundslab.workbench.solver import process
 from groundslab.workbench.solver.process import View
 from groundslab.workbench.solver.runs import ViewRequests, make_view_error
@@ -28,7 +29,7 @@ GRACE = 0.5
 KEEPING = 20.0
 #: A process that fails so often before it is ready is not started again until there is a new job.
 MAX_STARTS = 3
-CLOSING, STOPPED = "the server ends", "the solver was stopped; solve again"
+CLOSING, STOPPED = Label("the server ends"), Label("the solver was stopped; solve again")
 
 
 class Solver:
@@ -87,7 +88,7 @@ class Solver:
         try:
             return future.result(timeout)
         except TimeoutError:
-            raise make_view_error(view[0], "it takes too long") from None
+            raise make_view_error(view[0], Label("it takes too long")) from None
 
     def close(self) -> None:
         """End the process and the thread."""
@@ -136,7 +137,7 @@ class Solver:
         if self._worker is None and self._failed_starts < MAX_STARTS:
             self._worker = Worker(self._task, self._prepare)
         if self._worker is None:
-            self._views.fail("the solver cannot be started")
+            self._views.fail(Label("the solver cannot be started"))
         elif self._worker.is_ready and (schedule.active is None or schedule.active.kill_at is None):
             messages: list[tuple[Any, ...]] = list(self._views.take_unsent())
             job, latest = schedule.begin(now) if schedule.active is None else None, schedule.results.latest

@@ -7,6 +7,7 @@ from collections.abc import Iterable
 from contextlib import suppress
 from typing import Any
 
+from groundslab.messages import Message
 from groundslab.workbench.child_process import CONTEXT, ChildProcess
 from groundslab.workbench.solver import process
 
@@ -49,8 +50,8 @@ class Worker:
         self._child.join()
         code = self._child.exitcode
         if code is None or code >= 0:
-            return f"exit code {code}"
+            return Message("exit code {code}", code=str(code))
         with suppress(ValueError):
             name = signal.Signals(-code).name
-            return f"{name}, perhaps because the memory was used up" if name == "SIGKILL" else name
-        return f"signal {-code}"
+            return Message("{name}, perhaps because the memory was used up", name=name) if name == "SIGKILL" else name
+        return Message("signal {number}", number=-code)

@@ -144,9 +144,7 @@ def _sheets(content: bytes) -> dict[str, list[tuple[object, ...]]]:
 )
 def test_names(file: ExportName, field: str, name: str) -> None:
     """Files are called after the case, plans also after their field."""
-    wanted = Wanted(file, "raft.toml", field)
-    assert wanted.name == name
-    assert Wanted.from_text(wanted.to_text()) == wanted
+    assert Wanted(file, "raft.toml", field).name == name
 
 
 def test_files_are_packed_with_their_notes() -> None:

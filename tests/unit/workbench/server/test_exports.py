@@ -20,7 +20,7 @@ from helpers.small_case import TEXT
 pytest.importorskip("fastapi")
 pytest.importorskip("openpyxl")
 from groundslab.workbench.exports.case_writer import NO_RESULTS
-from groundslab.workbench.exports.files import Wanted
+from groundslab.workbench.exports.files import Exported, Wanted
 from groundslab.workbench.server.routes import create_app
 from groundslab.workbench.server.security import Tickets
 from groundslab.workbench.server.session import Session
@@ -162,7 +162,7 @@ def test_the_server_answers_while_a_file_is_made(solved_bench: Bench, monkeypatc
     def make_view(_: object) -> bytes:
         begun.set()
         assert go_on.wait(PATIENCE)
-        return b"[]\nmade"
+        return Exported(b"made").to_bytes()
 
     monkeypatch.setattr(solved_bench.session.analyses.solver, "make_view", make_view)
     answers: list[asgi.Answer] = []

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import time
 from pathlib import Path
 from typing import Any
@@ -44,7 +43,7 @@ def obey(text: str, folder: Path, on_begin: OnBegin) -> Compared:
         raise GroundslabError("no layers")
     if text == "wait":
         time.sleep(PATIENCE)
-    return Compared(text.encode(), {"as drawn": str(folder)})
+    return Compared({"text": text}, {"as drawn": str(folder)})
 
 
 def wait_for(events: list[tuple[str, dict[str, Any]]], name: str) -> dict[str, Any]:
@@ -71,7 +70,7 @@ def test_a_comparison_is_kept_or_refused(text: str, event: str, message: str) ->
     assert (about["kind"], about["run"], about.get("message", "")) == ("alternatives", 7, message)
     progress = {"kind": "alternatives", "run": 7, "text": "continuum", "share": 0.25}
     assert ("comparing", progress) in events
-    compared = Compared(b"go", {"as drawn": "there"}) if text == "go" else None
+    compared = Compared({"text": "go"}, {"as drawn": "there"}) if text == "go" else None
     assert comparer.get("alternatives", 7) == compared
     assert comparer.list_kinds(7) == (["alternatives"] if compared else [])
 
@@ -94,7 +93,7 @@ def test_its_rows_are_those_of_the_command_line() -> None:
     """Labels, values, differences and units are those which the command prints."""
     begun: list[tuple[str, float]] = []
     compared = comparers.compare_grounds(SOFT, Path(), lambda *told: begun.append(told))
-    found = json.loads(compared.table)
+    found = compared.table
     assert [share for _, share in begun] == [n / comparers.GROUNDS for n in range(comparers.GROUNDS)]
     comparison = compare_grounds(casefile.loads(SOFT))
     ground_rows = [*figure_rows(comparison), *constant_rows(comparison)]
@@ -111,7 +110,7 @@ def test_alternatives_are_those_of_the_command_line() -> None:
     begun: list[tuple[str, float]] = []
     compared = comparers.compare_designs(SOFT, Path(), lambda *told: begun.append(told))
     comparison = compare_texts(SOFT, None)
-    found = json.loads(compared.table)
+    found = compared.table
     assert [head["text"] for head in found["heads"][2:]] == [each.name for each in comparison.alternatives]
     for (_, _, *cells), row in zip(found["rows"], rows(comparison), strict=True):
         assert tuple(cell if isinstance(cell, str) else cell[0] for cell in cells) == row.cells

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import json
+import pickle
 from functools import cache
 
 import pytest
@@ -68,7 +68,7 @@ def solved() -> process.Solved:
 
 def table(name: str) -> dict[str, object]:
     """Return a table as the page reads it."""
-    found: dict[str, object] = json.loads(process._write_table(solved(), name))
+    found: dict[str, object] = pickle.loads(process._write_table(solved(), name))
     return found
 
 
