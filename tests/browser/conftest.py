@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import Any
+from urllib.parse import urlsplit
 
 import pytest
 
@@ -58,16 +59,26 @@ def case(tmp_path: Path) -> Path:
     return path
 
 
-@pytest.fixture
-def tabs(browser: Any) -> Iterator[Any]:
-    """Return what opens a new tab; errors on the page fail the test in the end."""
+@pytest.fixture(scope="session")
+def window(browser: Any) -> Iterator[Any]:
+    """The window of all tabs; its first one, of no test, keeps the process of the pages, which takes long to start."""
     context = browser.new_context(viewport={"width": 1366, "height": 768}, accept_downloads=True)
     context.set_default_timeout(PATIENCE)
     context.add_init_script("try { localStorage.setItem('groundslab-tour', 'taken'); } catch {}")
+    context.new_page()
+    yield context
+    context.close()
+
+
+@pytest.fixture
+def tabs(window: Any, server: Server) -> Iterator[Any]:
+    """Return what opens a new tab; errors on the page fail the test in the end."""
     benches: list[Bench] = []
+    sites: set[str] = set()
 
     def open_tab() -> Bench:
-        bench = Bench(context.new_page())
+        bench = Bench(window.new_page())
+        bench.page.on("framenavigated", lambda frame: sites.add(_site(frame.url)))
         bench.page.on("pageerror", lambda error: bench.errors.append(str(error)))
         bench.page.on("console", lambda line: bench.errors.append(line.text) if _is_error(line) else None)
         benches.append(bench)
@@ -75,8 +86,27 @@ def tabs(browser: Any) -> Iterator[Any]:
 
     yield open_tab
     errors = [error for bench in benches for error in bench.errors]
-    context.close()
+    first, *others = window.pages
+    if server.url and first.url == "about:blank":
+        first.goto(f"{_site(server.url)}/icon.svg")
+    for page in others:
+        page.close()
+    _forget(first, sites)
     assert errors == []
+
+
+def _site(url: str) -> str:
+    """Return the part of an address to which the browser's memory belongs."""
+    parts = urlsplit(url)
+    return f"{parts.scheme}://{parts.netloc}"
+
+
+def _forget(page: Any, sites: Iterable[str]) -> None:
+    """Make the browser forget what sites have stored."""
+    session = page.context.new_cdp_session(page)
+    for site in sites:
+        session.send("Storage.clearDataForOrigin", {"origin": site, "storageTypes": "all"})
+    session.detach()
 
 
 def _is_error(line: Any) -> bool:

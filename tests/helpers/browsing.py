@@ -33,10 +33,11 @@ LEFT_OUT = (
     "AvoidUnnecessaryBeforeUnloadCheckSync,DestroyProfileOnBrowserClose,HttpsUpgrades,HttpsFirstBalancedModeAutoEnable,"
     "LensOverlay,MediaRouter,PaintHolding,ThirdPartyStoragePartitioning,NetworkTimeServiceQuerying,PreconnectToSearch"
 )
-#: The page is drawn without a GPU; only pictures in three dimensions need one, which is imitated.
+#: The page is drawn without a GPU; only pictures in three dimensions need one, which is imitated. All tabs of the
+#: workbench share a process.
 ARGUMENTS = [
     "--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-gpu-compositing",
-    "--disable-gpu-rasterization", f"--disable-features={LEFT_OUT}",
+    "--disable-gpu-rasterization", "--process-per-site", f"--disable-features={LEFT_OUT}",
 ]  # fmt: skip
 STATIC = ROOT / "src" / "groundslab" / "workbench" / "static"
 
