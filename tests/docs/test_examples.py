@@ -79,7 +79,7 @@ def test_punching_by_the_second_generation_is_what_its_comment_says() -> None:
     model = load(EXAMPLES / "second_generation.toml")
     comment = (EXAMPLES / "second_generation.toml").read_text(encoding="utf-8")
     results = solve(model.replace(mesh={"size": 1.0}, combine=model.combine.replace(sets=("ultimate",))))
-    demand = next(iter(column_demands(results)[0].values()))
+    demand = next(iter(column_demands(results).found.values()))
     assert f"is\n# 1.6 + pi x {demand.d:.3f} = {demand.b_05:.3f} m" in comment
     assert f"= {demand.k_pb:.3f}." in comment
 

@@ -11,7 +11,7 @@ import shapely
 
 import groundslab as gs
 from groundslab.design.codes.aci318.checks.two_way_demand import pile_two_way
-from groundslab.design.codes.en1992_2004.checks.governing_perimeters import demands, pile_demands
+from groundslab.design.codes.en1992_2004.checks.governing_perimeters import column_demands, pile_demands
 from groundslab.design.codes.en1992_2004.checks.punching_demand import Demand
 from groundslab.design.codes.en1992_2004.perimeter_demand import RoundColumn, demand
 from groundslab.views.tables.structure.columns import column_table
@@ -42,7 +42,7 @@ def test_beside_an_opening() -> None:
         reinforcement={"concrete": "C30/37", "steel": "B500B", "bottom": (0.05, 0.05), "top": (0.05, 0.05)},
         mesh={"size": 0.25},
     )  # fmt: skip
-    stress = demands(gs.solve(model)).found["U", "A"].at_2d
+    stress = column_demands(gs.solve(model)).found["U", "A"].at_2d
     assert stress is not None
     assert stress.u == pytest.approx(4.522, abs=5e-4)
     assert stress.control.center == pytest.approx([-0.545, 0.0], abs=5e-4)
@@ -137,7 +137,7 @@ def test_the_edge_force_does_not_relieve_a_corner_column(raft: gs.Results) -> No
     409 kN, 1.73 and 1.20 at E1 (at d) are those of an independent calculation; pressure and line force are integrated
     here by points.
     """
-    found = demands(raft).found
+    found = column_demands(raft).found
     corner, edge = found["ULS 1", "K1"], found["ULS 1", "E1"]
     far = corner.at_2d
     assert far is not None
@@ -168,7 +168,7 @@ def test_the_edge_force_relieves_where_the_case_says_so(raft: gs.Results) -> Non
     """With line_force_relieves V_Ed is less by the line force inside; the table has it in any case."""
     model = raft.model.replace(reinforcement={**GERMAN, "line_force_relieves": True})
     relieved = replace(raft, model=model)
-    one, other = (demands(results).found["ULS 1", "K1"].at_2d for results in (raft, relieved))
+    one, other = (column_demands(results).found["ULS 1", "K1"].at_2d for results in (raft, relieved))
     assert one is not None
     assert other is not None
     assert other.V_Ed == pytest.approx(one.V_Ed - one.edge)
@@ -199,7 +199,7 @@ def test_the_distance_that_governs_a_compact_pad() -> None:
     There it is 5.7 % more than at the largest of 0.5, 1, 1.5 and 2 d.
     """
     B, c, d = 2.2, 0.4, 0.5
-    demand = demands(gs.solve(pad(B, c, d))).found["U", "A"]
+    demand = column_demands(gs.solve(pad(B, c, d))).found["U", "A"]
     governing = demand.governing
     assert governing is not None
 
@@ -230,7 +230,7 @@ def test_the_largest_use_over_all_distances(x: float, y: float, openings: list[d
     model = pad(4.0, 0.4, 0.5)
     plate = model.plate.replace(openings=openings, E=33e9)
     results = gs.solve(model.replace(plate=plate, columns=[model.columns[0].replace(x=x, y=y)], mesh={"size": 0.25}))
-    demand = demands(results).found["U", "A"]
+    demand = column_demands(results).found["U", "A"]
     governing = demand.governing
     assert governing is not None
     assert demand.used(governing) >= (1 - 1e-3) * max(densely(results, demand))
@@ -273,7 +273,7 @@ def test_a_pile_punches_the_plate_from_below(code: str) -> None:
     plate, pile = results.only.plate, results.only.supports[0]
     d = 0.8 - 0.10  # of the bars at the top
     if code == "ACI 318":
-        two_way = pile_two_way(results)[0]["U", "P1"]
+        two_way = pile_two_way(results).found["U", "P1"]
         assert two_way.d == pytest.approx(d)
         side = 0.6 + d
         assert two_way.b_o == pytest.approx(np.pi * side, rel=1e-3)

@@ -92,7 +92,7 @@ def test_mirrored_walls_have_the_same_values() -> None:
     both = []
     for points in (L, [(-x, y) for x, y in reversed(L)]):
         demands = wall_demands(solve(30e9, *points, mesh={"size": 0.25}))
-        both.append({demands.places[name]: demand.around for (_, name), demand in demands.found.items()})
+        both.append({demand.place: demand.around for demand in demands.found.values()})
     there, mirrored = both
     assert len(there) == len(mirrored) == 3
     for (x, y), around in there.items():

@@ -12,7 +12,7 @@ from functools import partial
 import numpy as np
 
 from groundslab.design.bars import beam_bars, required_bars, wall_bars
-from groundslab.design.checks import pulling
+from groundslab.design.checks import pulling, punching
 from groundslab.design.codes.registry import code_of
 from groundslab.design.rules.check import GIVEN_SECTION, DesignCheck, not_judged, some
 from groundslab.design.rules.combinations import UNFACTORED, ultimate_results, why_none, without_partial_factors
@@ -206,7 +206,7 @@ def _punching(combined: Results, code: DesignCode) -> Iterator[DesignCheck]:
     if code.punching is None:
         yield no_rule(code, "punching")
     else:
-        yield from code.punching.checks(combined)
+        yield from punching.checks(combined)
 
 
 def _bending(needs: list[required_bars.Need]) -> DesignCheck:

@@ -5,11 +5,10 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from typing import Literal
+
+from groundslab.design.rules.punching_links.demand import Support
 
 MEGA = 1e6
-#: What pushes at a plate.
-Pushing = Literal["column", "pile", "zone"]
 #: What pushes at a zone, and what pulls at it.
 ZONE = "force of the columns on the zone, less that of piles below it"
 ZONE_PULLS = "pull of the columns on the zone and push of the piles below it"
@@ -50,7 +49,7 @@ def with_numbers(step: Step, known: Mapping[str, float]) -> str:
 
 
 def punching_force(
-    what: tuple[Pushing, bool],
+    what: tuple[Support, bool],
     symbols: tuple[str, str],
     parts: tuple[float, float, float, float],
     V: float,

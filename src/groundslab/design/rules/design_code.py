@@ -6,9 +6,9 @@ the checks say so.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from groundslab.arrays import Array, Flags
 from groundslab.design.demands.perimeter_loads import Reach
@@ -18,8 +18,8 @@ from groundslab.design.rules.bending_steps import BarsNeeded
 from groundslab.design.rules.calculation import Step
 from groundslab.design.rules.check import NO_RULE, DesignCheck, not_judged
 from groundslab.design.rules.detailing_rule import DetailingRule
-from groundslab.design.rules.punching import Heads, PunchingColumns
-from groundslab.design.rules.punching_links.demand import LinkDemand
+from groundslab.design.rules.punching import Aspect, Demands, Heads
+from groundslab.design.rules.punching_links.demand import LinkDemand, Support
 from groundslab.design.rules.shear_demand import ShearDemand
 from groundslab.design.rules.webs import Flange, Web, WebNeed
 from groundslab.design.rules.wide_beam import Cut
@@ -108,31 +108,42 @@ class PunchingRule:
 
     Attributes
     ----------
-    at_columns, over_piles, around_zones, at_walls : callable
-        What tables have of it.
-    checks : callable
-        Of all combinations: the checks.
+    demands : mapping of str to callable
+        Of all combinations: what punches in each of these ways.
+    used : callable
+        Of a demand and materials: its share of what resists it without links.
+    aspects : callable
+        Of the way, what punches so, and materials: what is judged.
+    steps : callable
+        Of a demand, materials and the way: its calculation.
+    heads, cells, notes : callable
+        What tables have of it: of the way, the columns; of a demand, materials and the way, its cells; of the way and
+        materials, what a reader must know.
+    cut : str
+        Why those have no perimeter that one-way shear judges.
     extremes : tuple
         Those columns of a table whose extremes are wanted.
     with_errors : tuple of str
         Those whose values have discretization errors, besides what acts inside a perimeter.
-    steps : tuple
-        Of columns, piles, zones and ends of walls the name of the calculations and a callable. Of all combinations and
-        materials: at which column and in which combination each calculation is, and its steps, the column that uses
-        most first.
     links : callable or None
-        Of all combinations and materials: what needs links, with their perimeters, or why links do not help.
+        Of all combinations, materials, the way and what punches so: what needs links, with their perimeters, or why
+        links do not help.
+    depth : str
+        The symbol of the effective depth.
     """
 
-    at_columns: Callable[[Results, Reinforcement], PunchingColumns]
-    over_piles: Callable[[Results, Reinforcement], PunchingColumns]
-    around_zones: Callable[[Results, Reinforcement], PunchingColumns]
-    at_walls: Callable[[Results, Reinforcement], PunchingColumns]
-    checks: Callable[[Results], Iterator[DesignCheck]]
-    extremes: Heads
-    with_errors: tuple[str, ...]
-    steps: tuple[tuple[str, Callable[[Results, Reinforcement], Iterator[Calculation]]], ...]
-    links: Callable[[Results, Reinforcement], Iterator[LinkDemand]] | None = None
+    demands: Mapping[Support, Callable[[Results], Demands[Any]]]
+    used: Callable[[Any, Reinforcement], float]
+    aspects: Callable[[Support, Demands[Any], Reinforcement], Iterable[Aspect]]
+    steps: Callable[[Any, Reinforcement, Support], Iterable[Step]]
+    heads: Callable[[Support], Heads]
+    cells: Callable[[Any, Reinforcement, Support], list[float | None]]
+    notes: Callable[[Support, Reinforcement], tuple[str, ...]] = lambda *_: ()
+    cut: str = ""
+    extremes: Heads = ()
+    with_errors: tuple[str, ...] = ()
+    links: Callable[[Results, Reinforcement, Support, Demands[Any]], Iterator[LinkDemand]] | None = None
+    depth: str = "d"
 
 
 class TensionZone(NamedTuple):

@@ -1,14 +1,19 @@
-"""What codes share about punching: checks of what is not judged by it, the columns and notes of its tables."""
+"""What codes share about punching: demands, in which way they punch, which are judged, what is said of the rest."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import dataclass, replace
-from typing import Protocol, TypeVar
+from dataclasses import dataclass, field, replace
+from typing import Any, Generic, NamedTuple, Protocol, TypeVar
 
+from groundslab.design.demands.perimeter_loads import PunchingForce, Reach, punching_columns, punching_piles
+from groundslab.design.demands.perimeters import SketchedPerimeter
+from groundslab.design.demands.zones.thicker_zones import zone_forces
 from groundslab.design.rules.check import MOST_NAMED, NO_PERIMETER, SUPPORT_INSIDE, DesignCheck, not_judged
+from groundslab.design.rules.punching_links.demand import Support
+from groundslab.design.rules.wall_ends import loaded_ends
 from groundslab.messages import Message, Name, joined
-from groundslab.model.design.reinforcement import Reinforcement
+from groundslab.results.results import Results
 
 Heads = tuple[tuple[str, str], ...]
 #: A force below this [N] is none.
@@ -26,50 +31,90 @@ RELIEF = {
     "pile": "force + pressure inside + edge line force inside - other loads inside",
     "zone": "load + other loads inside - pressure inside",
 }
+#: What checks and calculations are called.
+PUNCHING: Mapping[Support, str] = {
+    "column": "punching",
+    "pile": "punching over piles",
+    "zone": "punching around thicker zones",
+    "wall end": "punching at walls' ends",
+}
+#: What checks call it, and what they say where nothing pushes.
+CALLED: Mapping[Support, tuple[str, str]] = {
+    "column": ("columns", "no column pushes or pulls"),
+    "pile": ("piles", "no pile pushes or pulls"),
+    "zone": ("thicker zones", "no thicker zone pushes or pulls"),
+    "wall end": ("wall ends", "no wall pushes or pulls at an end or corner with slab beyond it"),
+}
 #: What is said of the worst one if it pulls, or only turns the slab.
 PULLS = "; it pulls and is taken as tied to the far face"
 TURNS = "; it turns the slab without a force"
-#: What becomes of it, then.
-PULLED = (
-    "Where a column or zone pulls up, or a pile down, it punches the other way: what acts inside has the opposite "
-    "sign, and d is less the mean distance of the bars' axes at the other face. It is taken as tied to the far face."
-)
-#: What beams do to it.
-BEAMS = "Other loads inside include the shear forces of beams across the perimeter, upwards negative."
-#: What counts of a perimeter that leaves a thicker zone.
-THINNER = "Where the slab is thinner than that, a length of a perimeter counts by the share that it resists there."
-#: The effective depth of columns, of piles and around thicker zones.
-DEPTH = {
-    "column": "d is the least thickness under the column less the mean distance of the bottom bars' axes.",
-    "pile": "d is the least thickness over the pile less the mean distance of the top bars' axes.",
-    "zone": "d is the largest thickness at the border of the zone less the mean distance of the bottom bars' axes.",
-}
-#: What is around a zone.
-AROUND = "Perimeters run around the zone, or around its hull if it has reentrant corners, by their distance from it."
-_ONE_EDGE = (
-    "The line force of the ground along the plate's edge inside is not a pressure: it does not relieve punching, "
-    "unless the case sets line_force_relieves; where it pulls, it is added."
-)
-_RELIEVES = (
-    "The line force of the ground along the plate's edge inside is subtracted like the pressure inside, as the case "
-    "sets line_force_relieves."
-)
-_OVER_EDGE = (
-    "The line force of the ground along the plate's edge inside adds to the punching force, as the pressure does."
-)
+
+
+class Demand(Protocol):
+    """What punches at a column, a pile, a thicker zone or the end of a wall in one combination."""
+
+    @property
+    def name(self) -> str:
+        """Return what punches."""
+
+    @property
+    def combination(self) -> str:
+        """Return the combination."""
+
+    @property
+    def force(self) -> float:
+        """Return its force [N]."""
+
+    @property
+    def pulls(self) -> bool:
+        """Return whether a column or zone pulls up, or a pile down."""
+
+    @property
+    def sketch(self) -> SketchedPerimeter | None:
+        """Return the perimeter that governs, if it is drawn."""
+
+
+AnyDemand = TypeVar("AnyDemand", bound=Demand)
 
 
 @dataclass(frozen=True, slots=True)
-class PunchingColumns:
-    """The columns that a table has of punching, their cells by combination and name, and what a reader must know."""
+class Demands(Generic[AnyDemand]):
+    """The demands of all that punches in one way by combination and name, and why some have none, by name."""
 
-    heads: Heads
-    cells: Callable[[str, str], list[float | None]]
-    notes: tuple[str, ...]
+    found: Mapping[tuple[str, str], AnyDemand] = field(default_factory=dict)
+    missing: Mapping[str, str] = field(default_factory=dict)
+    reach: Reach = field(
+        default_factory=dict
+    )  # how far from the face punching is checked, the rest is one-way shear [m]
 
 
-#: Where nothing is known of punching.
-NO_COLUMNS = PunchingColumns((), lambda _, __: [], ())
+class Aspect(NamedTuple):
+    """What is judged about demands: with what name, what stands for each, and the check of those that are judged."""
+
+    name: str
+    demands: Iterable[Any]
+    used: Callable[[Any], float]
+    worst: Callable[[list[Any]], DesignCheck]
+    says_missing: bool = True  # whether it says what has no perimeter
+
+
+def punching_supports(combined: Results) -> Iterator[Support]:
+    """Yield what of a case may punch the plate."""
+    if combined.model.columns:
+        yield "column"
+    if punching_piles(combined.model):
+        yield "pile"
+    if zone_forces(combined):
+        yield "zone"
+    if loaded_ends(combined.model):
+        yield "wall end"
+
+
+def forces_that_punch(combined: Results, support: Support) -> tuple[PunchingForce, ...]:
+    """Return the columns, piles or thicker zones that may punch the plate."""
+    if support == "zone":
+        return zone_forces(combined)
+    return punching_piles(combined.model) if support == "pile" else punching_columns(combined.solved_model)
 
 
 def effective_note(about_center: str) -> str:
@@ -81,53 +126,17 @@ def effective_note(about_center: str) -> str:
     )
 
 
-def edge_note(steel: Reinforcement, support: str) -> str:
-    """Return the effect of the line force along the plate's edge in words, at a "column", "pile" or "zone"."""
-    if support == "pile":
-        return _OVER_EDGE
-    return _RELIEVES if steel.line_force_relieves else _ONE_EDGE
-
-
-def with_way(check: DesignCheck, found: Mapping[tuple[str, str], Pulling]) -> DesignCheck:
+def with_way(check: DesignCheck, found: Mapping[tuple[str, str], Demand]) -> DesignCheck:
     """Return a check that says whether what it is about pulls, or turns without a force, by the demands found."""
     demand = found[check.combination, check.of]
     way = TURNS if abs(demand.force) < LEAST_FORCE else PULLS if demand.pulls else ""
     return replace(check, words=check.words + way)
 
 
-def pulled_notes(demands: Iterable[Pulling]) -> tuple[str, ...]:
-    """Return what becomes of columns, piles or zones that pull as a note, if any does."""
-    return (PULLED,) if any(demand.pulls for demand in demands) else ()
-
-
-def missing_notes(missing: Mapping[str, str], support: str) -> tuple[str, ...]:
-    """Return why some have no perimeter, by their names, as notes."""
-    if support == "zone":
-        return tuple(
-            Message("no punching around {name}: {why}", name=Name(name), why=why) for name, why in missing.items()
-        )
-    return tuple(
-        Message("no punching of {support} {name}: {why}", support=support, name=Name(name), why=why)
-        for name, why in missing.items()
-    )
-
-
 def cells_inside(force: float, pressure: float, edge: float, others: float) -> list[float | None]:
     """Return the forces inside [N], in the order of INSIDE; of moments alone there is no share."""
     share = 100 * pressure / force if abs(force) >= LEAST_FORCE else None
     return [pressure / 1e3, share, edge / 1e3, others / 1e3]
-
-
-class Pulling(Protocol):
-    """A demand of what may pull."""
-
-    @property
-    def force(self) -> float:
-        """Return its force [N]."""
-
-    @property
-    def pulls(self) -> bool:
-        """Return whether a column or zone pulls up, or a pile down."""
 
 
 class Supported(Protocol):
@@ -142,16 +151,16 @@ class Supported(Protocol):
         """Return whether another support acts inside, of which what it adds is counted, not what it takes off."""
 
 
-Demand = TypeVar("Demand", bound=Supported)
+Judged = TypeVar("Judged", bound=Supported)
 
 
-def judged(demands: Iterable[Demand], used: Callable[[Demand], float]) -> tuple[list[Demand], dict[str, float]]:
+def judged(demands: Iterable[Judged], used: Callable[[Judged], float]) -> tuple[list[Judged], dict[str, float]]:
     """Return the demands that are judged, and how much the others use, the most by name.
 
     One that holds with what supports inside add, and without what they take off, holds in any case; of another nobody
     knows, as it is no section of this column or pile alone.
     """
-    those: list[Demand] = []
+    those: list[Judged] = []
     others: dict[str, float] = {}
     for demand in demands:
         share = used(demand)

@@ -30,8 +30,6 @@ from groundslab.model.structure.wall_ends import WallEnd, wall_ends
 from groundslab.results.plate_result import PlateResult
 from groundslab.results.results import CombinationResult, Results
 
-#: What is said where none is judged.
-NO_WALL = "no wall pushes or pulls at an end or corner with slab beyond it"
 #: beta at an end and at a corner of walls (DIN EN 1992-1-1/NA, Figure NA.6.21.1).
 BETA: Mapping[str, float] = {"end": 1.35, "corner": 1.20}
 #: The openings that count, of a slab's thickness and its effective depth [m].

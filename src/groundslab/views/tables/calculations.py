@@ -9,7 +9,7 @@ import numpy as np
 from groundslab.arrays import made_once
 from groundslab.design.bars.beam_steps import beam_steps
 from groundslab.design.bars.required_bars import MINIMUM, MOMENT, governing_needs, section_name
-from groundslab.design.checks import check_design
+from groundslab.design.checks import check_design, punching
 from groundslab.design.codes.registry import code_of
 from groundslab.design.demands.perimeters import SketchedPerimeter
 from groundslab.design.rules.bending_steps import BarsNeeded
@@ -77,10 +77,9 @@ def _followed(combined: Results) -> Iterator[tuple[str, Calculation]]:
     if code.bars_by_steps is not None:
         yield from _bending(combined, steel, code.bars_by_steps)
     yield from beam_steps(combined, steel)
-    for name, calculated in () if code.punching is None else code.punching.steps:
-        for number, calculation in enumerate(calculated(combined, steel)):
-            if number == 0 or combined.model.report.sheets == "all":
-                yield name, calculation
+    for name, calculated in punching.calculations(combined):
+        for calculation in calculated if combined.model.report.sheets == "all" else calculated[:1]:
+            yield name, calculation
 
 
 def _bending(

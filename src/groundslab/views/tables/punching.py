@@ -2,26 +2,103 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass
 
 from groundslab.design.bars.proposal.links import punching_links
 from groundslab.design.codes.registry import code_of
 from groundslab.design.demands.perimeter_loads import punching_piles
 from groundslab.design.demands.zones.thicker_zones import zone_forces
 from groundslab.design.rules.combinations import ultimate_results
-from groundslab.design.rules.punching import NO_COLUMNS, Heads, PunchingColumns
+from groundslab.design.rules.punching import Demand, Heads
+from groundslab.design.rules.punching_links.demand import Support
 from groundslab.design.rules.punching_links.layout import LinkLayout
 from groundslab.design.rules.wall_ends import loaded_ends
-from groundslab.messages import Clause, Message
+from groundslab.messages import Clause, Message, joined
+from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.results import Results
 from groundslab.views.tables.table import Cell, Table, table_of
 
+#: What becomes of what pulls.
+_PULLED = (
+    "Where a column or zone pulls up, or a pile down, it punches the other way: what acts inside has the opposite "
+    "sign, and d is less the mean distance of the bars' axes at the other face. It is taken as tied to the far face."
+)
+#: What beams do to it.
+_BEAMS = "Other loads inside include the shear forces of beams across the perimeter, upwards negative."
+#: What counts of a perimeter that leaves a thicker zone.
+_THINNER = "Where the slab is thinner than that, a length of a perimeter counts by the share that it resists there."
+#: The effective depth of columns, of piles and around thicker zones.
+_DEPTH = {
+    "column": "d is the least thickness under the column less the mean distance of the bottom bars' axes.",
+    "pile": "d is the least thickness over the pile less the mean distance of the top bars' axes.",
+    "zone": "d is the largest thickness at the border of the zone less the mean distance of the bottom bars' axes.",
+}
+#: What is around a zone.
+_AROUND = "Perimeters run around the zone, or around its hull if it has reentrant corners, by their distance from it."
+_ONE_EDGE = (
+    "The line force of the ground along the plate's edge inside is not a pressure: it does not relieve punching, "
+    "unless the case sets line_force_relieves; where it pulls, it is added."
+)
+_RELIEVES = (
+    "The line force of the ground along the plate's edge inside is subtracted like the pressure inside, as the case "
+    "sets line_force_relieves."
+)
+_OVER_EDGE = (
+    "The line force of the ground along the plate's edge inside adds to the punching force, as the pressure does."
+)
 
-def punching_at_columns(combined: Results) -> PunchingColumns:
-    """Return the punching columns of the table of columns; none without reinforcement, or rules for it."""
+
+@dataclass(frozen=True, slots=True)
+class PunchingColumns:
+    """The columns that a table has of punching, their cells by combination and name, and what a reader must know."""
+
+    heads: Heads
+    cells: Callable[[str, str], list[float | None]]
+    notes: tuple[str, ...]
+
+
+def punching_of(combined: Results, support: Support) -> PunchingColumns:
+    """Return the columns of what punches in one way; none without reinforcement, or rules for it."""
     steel = combined.model.reinforcement
     rule = code_of(steel).punching if steel is not None else None
-    return NO_COLUMNS if steel is None or rule is None else rule.at_columns(combined, steel)
+    if steel is None or rule is None:
+        return PunchingColumns((), lambda _, __: [], ())
+    demands, heads = rule.demands[support](combined), rule.heads(support)
+
+    def cells(combination: str, name: str) -> list[float | None]:
+        demand = demands.found.get((combination, name))
+        return [None] * len(heads) if demand is None else rule.cells(demand, steel, support)
+
+    notes = rule.notes(support, steel)
+    if support != "wall end":
+        of_depth = _DEPTH[support].replace("d is", f"{rule.depth} is")
+        notes += (_edge_note(steel, support), joined((of_depth, _THINNER), " "), *_pulled_notes(demands.found.values()))
+        notes += (*((_AROUND,) if support == "zone" else ()), *((_BEAMS,) if combined.model.beams else ()))
+        notes += _missing_notes(demands.missing, support)
+    return PunchingColumns(heads, cells, notes)
+
+
+def _edge_note(steel: Reinforcement, support: str) -> str:
+    """Return the effect of the line force along the plate's edge in words, at a "column", "pile" or "zone"."""
+    if support == "pile":
+        return _OVER_EDGE
+    return _RELIEVES if steel.line_force_relieves else _ONE_EDGE
+
+
+def _pulled_notes(demands: Iterable[Demand]) -> tuple[str, ...]:
+    """Return what becomes of columns, piles or zones that pull as a note, if any does."""
+    return (_PULLED,) if any(demand.pulls for demand in demands) else ()
+
+
+def _missing_notes(missing: Mapping[str, str], support: str) -> tuple[str, ...]:
+    """Return why some have no perimeter, by their names, as notes."""
+    if support == "zone":
+        return tuple(Message("no punching around {name}: {why}", name=name, why=why) for name, why in missing.items())
+    return tuple(
+        Message("no punching of {support} {name}: {why}", support=support, name=name, why=why)
+        for name, why in missing.items()
+    )
 
 
 def extremes_of_punching(combined: Results) -> Heads:
@@ -33,10 +110,7 @@ def extremes_of_punching(combined: Results) -> Heads:
 
 def pile_punching(combined: Results) -> Table:
     """Return each pile's force and the demand of punching of the plate over it in each ultimate combination."""
-    steel = combined.model.reinforcement
-    assert steel is not None
-    rule = code_of(steel).punching
-    punched = NO_COLUMNS if rule is None else rule.over_piles(combined, steel)
+    punched = punching_of(combined, "pile")
     rows = [
         [
             result.combination,
@@ -53,10 +127,7 @@ def pile_punching(combined: Results) -> Table:
 
 def zone_punching(combined: Results) -> Table:
     """Return the demand of punching around each thicker zone with columns on it in each ultimate combination."""
-    steel = combined.model.reinforcement
-    assert steel is not None
-    rule = code_of(steel).punching
-    punched = NO_COLUMNS if rule is None else rule.around_zones(combined, steel)
+    punched = punching_of(combined, "zone")
     rows: list[list[Cell]] = [
         [
             result.combination,
@@ -120,10 +191,7 @@ def _link_rows(layout: LinkLayout) -> Iterator[list[Cell]]:
 
 def wall_punching(combined: Results) -> Table:
     """Return the demand of punching at each end and corner of walls that press in each ultimate combination."""
-    steel = combined.model.reinforcement
-    assert steel is not None
-    rule = code_of(steel).punching
-    punched = NO_COLUMNS if rule is None else rule.at_walls(combined, steel)
+    punched = punching_of(combined, "wall end")
     ends = loaded_ends(combined.model)
     rows: list[list[Cell]] = []
     for result in ultimate_results(combined):

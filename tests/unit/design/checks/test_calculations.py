@@ -12,7 +12,7 @@ import pytest
 import groundslab as gs
 from groundslab.design.checks import check_design
 from groundslab.design.codes.aci318.checks.two_way_demand import two_way
-from groundslab.design.codes.en1992_2004.checks.governing_perimeters import demands
+from groundslab.design.codes.en1992_2004.checks.governing_perimeters import column_demands as demands
 from groundslab.design.codes.en1992_2004.checks.punching_demand import Demand, Stress, outer
 from groundslab.design.codes.en1992_2023.checks.punching_demand import column_demands
 from groundslab.design.rules.calculation import CONSTANTS, FUNCTIONS, Step, with_numbers
@@ -319,7 +319,11 @@ def test_a_formula_with_its_numbers() -> None:
 
 @pytest.mark.parametrize(
     ("steel", "find"),
-    [({}, lambda of: demands(of).found), (ACI, lambda of: two_way(of)[0]), (SECOND, lambda of: column_demands(of)[0])],
+    [
+        ({}, lambda of: demands(of).found),
+        (ACI, lambda of: two_way(of).found),
+        (SECOND, lambda of: column_demands(of).found),
+    ],
     ids=["EN 1992-1-1", "ACI 318", "EN 1992-1-1:2023"],
 )
 def test_demands_are_found_once_of_the_same_results(

@@ -11,7 +11,7 @@ import pytest
 import groundslab as gs
 from groundslab.design.checks import check_design
 from groundslab.design.codes.aci318.checks.two_way_demand import TwoWay, two_way
-from groundslab.design.codes.en1992_2004.checks.governing_perimeters import demands
+from groundslab.design.codes.en1992_2004.checks.governing_perimeters import column_demands as demands
 from groundslab.design.codes.en1992_2023.checks.punching_demand import column_demands
 from groundslab.design.demands.perimeters import RectangularColumn
 from groundslab.design.rules.wide_beam import cuts
@@ -78,12 +78,12 @@ def model(code: str, turn: float = 0.0, columns: dict[str, Any] = COLUMNS, **cha
 def numbers(code: str, results: gs.Results) -> dict[str, dict[str, float]]:
     """Return demand and share used of punching at each column, and what they are made of."""
     if code == "ACI 318":
-        return {name: _of_aci(one) for (_, name), one in two_way(results)[0].items()}
+        return {name: _of_aci(one) for (_, name), one in two_way(results).found.items()}
     if code == "EN 1992-1-1:2023":
         # where another column is near, tau_Ed is that of the analysis on its mesh
         return {
             name: {"V": one.V_Ed, "b_05": one.b_05, "b_0": one.b_0, "beta_e": one.beta_e, "k_pb": one.k_pb}
-            for (_, name), one in column_demands(results)[0].items()
+            for (_, name), one in column_demands(results).found.items()
         }
     found = {}
     for (_, name), one in demands(results).found.items():

@@ -16,9 +16,10 @@ from rich.console import Console
 from groundslab import Model, solve
 from groundslab.design.checks import check_design
 from groundslab.design.codes.en1992_2004.checks import punching
-from groundslab.design.codes.en1992_2004.checks.punching_demand import Demand, Demands
+from groundslab.design.codes.en1992_2004.checks.punching_demand import Demand
 from groundslab.design.rules.check import DesignCheck
 from groundslab.design.rules.demand_errors import error_of_greatest
+from groundslab.design.rules.punching import Demands
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.results import CombinationResult, Results
 from groundslab.views.report.html import render_report
@@ -183,9 +184,8 @@ def test_links_that_may_not_suffice() -> None:
             v_Ed=1.48e6, u=4.0, beta=1.15, distance=0.5, supported=False, error=lambda: error * 1e6
         )
         demand = Demand("K1", "ULS", "ultimate", 1e6, 0.25, 1e6, None, (stress,))
-        _, within = punching._checks(
-            steel, Demands({("ULS", "K1"): demand}, {}, {"K1": (0.0, 0.0)}, {}), punching.COLUMNS
-        )
+        *_, within = punching.aspects("column", Demands({("ULS", "K1"): demand}), steel)
+        within = within.worst(list(within.demands))
         assert within.status == "attention"
         assert within.error == pytest.approx(error)
         return within.words

@@ -121,7 +121,7 @@ def test_partial_factors() -> None:
     """gamma_V of the case in ultimate combinations, that of Table 4.3 in accidental ones."""
     assert rows({"gamma_v": 1.2}, 0.5e6)["punching"].resistance == pytest.approx(resistance(0.02, 1.2), rel=1e-4)
     rare = {"name": "A", "limit_state": "accidental", "factors": {"G": 1.3}}
-    both = column_demands(solved({"gamma_v": 1.2}, 0.5e6, combinations=[ULTIMATE, rare]))[0]
+    both = column_demands(solved({"gamma_v": 1.2}, 0.5e6, combinations=[ULTIMATE, rare])).found
     assert both["A", "C1"].tau_Rd_c / 1e6 == pytest.approx(resistance(0.02, 1.15), rel=1e-4)
 
 
@@ -132,10 +132,10 @@ def test_contraflexure_near_the_column_helps() -> None:
     x, y = one.plate.nodes.T
     plate = replace(one.plate, moment_x=1e4 * (1 - x**2), moment_y=1e4 * (1 - (y / 0.64) ** 2))
     near = Results(combined.model, combined.combinations, {"ULS": replace(one, plate=plate)}, {})
-    (demand,) = column_demands(near)[0].values()
+    (demand,) = column_demands(near).found.values()
     assert demand.a_p == pytest.approx(0.8, rel=1e-2)
     assert demand.a_pd == pytest.approx(math.sqrt(0.8 * D / 8), rel=1e-2)
-    (far,) = (each for each in column_demands(combined)[0].values())
+    (far,) = (each for each in column_demands(combined).found.values())
     assert far.a_pd == far.d == pytest.approx(D)
     assert demand.tau_Rd_c / far.tau_Rd_c == pytest.approx((D / demand.a_pd) ** (1 / 3))
 
@@ -149,14 +149,14 @@ def test_the_analysis_counts_beside_a_large_force() -> None:
     x, y = one.plate.nodes.T
     even = 2e6  # N/m2 from the plate's middle: the mean inwards around C1 is that times its area over its length
     plate = replace(one.plate, shear_x=-even * x, shear_y=-even * y)
-    found = column_demands(Results(combined.model, combined.combinations, {"ULS": replace(one, plate=plate)}, {}))[0]
+    found = column_demands(Results(combined.model, combined.combinations, {"ULS": replace(one, plate=plate)}, {})).found
     demand = found["ULS", "C1"]
     assert demand.concentrated
     assert demand.of_analysis is not None
     # at a side in the middle between corners 0.3275 m from the center, at a corner farther away
     assert 2e6 * (C / 2 + D / 2) < demand.of_analysis * D < 2e6 * math.hypot(C / 2 + D / 2, C / 2)
     assert demand.tau_Ed == demand.of_analysis
-    assert not column_demands(solved({}, 0.9e6))[0]["ULS", "C1"].concentrated
+    assert not column_demands(solved({}, 0.9e6)).found["ULS", "C1"].concentrated
 
 
 def test_laid_bars() -> None:

@@ -14,7 +14,7 @@ from rich.console import Console
 from groundslab.design.bars.required_bars import governing_needs
 from groundslab.design.checks import Design, DesignCheck, check_design
 from groundslab.design.codes.en1992_2004.annex import RECOMMENDED
-from groundslab.design.codes.en1992_2004.checks.governing_perimeters import demands
+from groundslab.design.codes.en1992_2004.checks.governing_perimeters import column_demands
 from groundslab.design.codes.en1992_2004.materials import Concrete
 from groundslab.design.codes.en1992_2004.punching import max_resistance, resistance_without_links
 from groundslab.design.rules.check import SUPPORT_INSIDE
@@ -94,7 +94,7 @@ def test_punching_at_the_face_by_hand() -> None:
     Half of it is not, and the check says how near it comes, not that punching is fine.
     """
     of = solved(described(1.5e6))
-    (demand,) = demands(of).found.values()
+    (demand,) = column_demands(of).found.values()
     assert demand.face is not None
     assert demand.face.u == pytest.approx(1.2)
     assert demand.face.v_Ed == pytest.approx((1.35 * 1.5e6 - 50e3 * 0.09) / (1.2 * 0.355))
@@ -199,7 +199,7 @@ def test_ultimate_combinations_that_count_for_nothing() -> None:
     assert design.headline.endswith(" Not judged: 1 of 6 (unsolved combinations).")
     none = check_design(replace(of, results={}, refused={**refused, "ULS": SingularMatrix("no")}))
     assert [(each.name, each.status) for each in none.checks] == [("unsolved combinations", "attention")]
-    assert demands(solved(described())).found.keys() == {("ULS", "C1")}
+    assert column_demands(solved(described())).found.keys() == {("ULS", "C1")}
     given = check_design(solved(described(combinations=[{**ULS, "factors": {"G": 1.0}}])))
     assert "must hold the partial factors" in words(given, "partial factors")
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 from functools import partial
-from typing import Any, get_args
+from typing import Any, NamedTuple, get_args
 
 import numpy as np
 import pytest
@@ -15,11 +15,14 @@ from groundslab.design.checks import check_design
 from groundslab.design.codes.registry import CODES
 from groundslab.design.rules import bending
 from groundslab.design.rules.bending import BendingRule, Block
-from groundslab.design.rules.check import NO_RULE
-from groundslab.design.rules.design_code import Clauses, DesignCode
+from groundslab.design.rules.calculation import Step
+from groundslab.design.rules.check import NO_RULE, DesignCheck
+from groundslab.design.rules.design_code import Clauses, DesignCode, PunchingRule
+from groundslab.design.rules.punching import Aspect, Demands
 from groundslab.model.design.reinforcement import KEYS_OF_CODES, Code, Reinforcement
 from groundslab.model.model import Model
 from groundslab.results.results import Results
+from groundslab.views.report.html import render_report
 from groundslab.views.tables.result_tables import tables_of
 from helpers import synthetic
 from helpers.synthetic import LENGTH_X, LENGTH_Y
@@ -43,13 +46,39 @@ def bending_of(_: Reinforcement, __: str) -> BendingRule:
     return BendingRule(partial(bending.required, block, minimum=least), least)
 
 
-THIRD = DesignCode("Third", Clauses(bars="1", least_bars="1.1", held_bars="1.2"), bending_of)
+class Pushed(NamedTuple):
+    """What punches: the force of a column."""
+
+    name: str
+    combination: str
+    force: float
+    pulls: bool = False
+    supported: bool = False
+    sketch: None = None
+
+
+RESISTS = 100e3
+PUNCHING_RULE = PunchingRule(
+    demands={"column": lambda _: Demands({("ULS", "C1"): Pushed("C1", "ULS", 120e3)})},
+    used=lambda demand, _: demand.force / RESISTS,
+    aspects=lambda _, demands, __: [Aspect("punching", demands.found.values(), lambda _: 1.2, judge)],
+    steps=lambda demand, *_: [Step("force that punches", "V", demand.force / 1e6, "MN", clause="2")],
+    heads=lambda _: (("V", "kN"),),
+    cells=lambda demand, *_: [demand.force / 1e3],
+)
+THIRD = DesignCode("Third", Clauses("1", "1.1", "1.2"), bending_of, punching=PUNCHING_RULE)
+
+
+def judge(judged: list[Pushed]) -> DesignCheck:
+    """Return the only check."""
+    return DesignCheck("punching", "fails", "too much", of=judged[0].name, combination=judged[0].combination)
 
 
 @pytest.fixture
 def third(monkeypatch: pytest.MonkeyPatch) -> Results:
     """Return results of a slab under one even moment along x, of a case that is designed by the third code."""
     monkeypatch.setitem(CODES, "Third", THIRD)
+    monkeypatch.setitem(KEYS_OF_CODES, "Third", ())
     bar = {"diameter": 0.012, "spacing": 0.15}
     steel: dict[str, Any] = {"f_ck": 30e6, "f_yk": 500e6, "bottom": (AXIS, AXIS), "top": (AXIS, AXIS)}
     model = Model(
@@ -78,17 +107,22 @@ def test_tables_arrange_what_a_third_code_finds(third: Results) -> None:
     assert by_layer["bottom x"] == pytest.approx(NEEDED * 1e4)
     assert table["minimum area"][0] == pytest.approx(1e-3 * THICKNESS * 1e4)
     assert table.notes[0].startswith("By Third for Wood's design moments")
-    assert not [column.name for column in tables["columns"].columns if "v_" in column.name]
+    assert tables["columns"]["V"] == (120.0,)
+    assert "force that punches" in tables["calculations"]["quantity"]
+    page = render_report(third)
+    assert "force that punches" in page
+    assert "Third" in page
 
 
 def test_checks_follow_a_third_code_and_leave_the_rest_open(third: Results) -> None:
-    """Laid bars are held against its clause; shear, punching and detailing, of which it has no rule, need attention."""
+    """Laid bars are held against its clause; shear and detailing, of which it has no rule, need attention."""
     checks = {check.name: check for check in check_design(third).checks}
     bars = checks["bars at the bottom x"]
     assert (bars.status, bars.clause) == ("fails", "Third 1")
     assert bars.demand == pytest.approx(NEEDED * 1e4)
     assert bars.resistance == pytest.approx(math.pi * 1.2**2 / 4 / 0.15)
-    for name in ("one-way shear", "punching", "distance and cover of bars"):
+    assert (checks["punching"].status, checks["punching"].words) == ("fails", "too much")
+    for name in ("one-way shear", "distance and cover of bars"):
         assert checks[name].status == "attention"
         assert checks[name].unjudged is NO_RULE
         assert checks[name].words.startswith("not judged: Third has no rule for it here; ")

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from groundslab.arrays import made_once
 from groundslab.design.codes.registry import code_of
+from groundslab.design.rules.combinations import ultimate_results
+from groundslab.design.rules.punching import punching_supports
 from groundslab.design.rules.punching_links.layout import LinkLayout, lay_links
 from groundslab.model.design.detailing import allowed_bars
 from groundslab.model.design.laid_bars import axis_of
@@ -43,11 +45,15 @@ def punching_links(combined: Results) -> tuple[LinkLayout, ...]:
     require(combined, Results, name="results")
     steel = combined.model.reinforcement
     rule = code_of(steel).punching if steel is not None else None
-    if steel is None or rule is None or rule.links is None:
+    if steel is None or rule is None or rule.links is None or not ultimate_results(combined):
         return ()
     covers = _cover(steel, "bottom"), _cover(steel, "top")
     diameters = allowed_bars(steel.proposal, combined.model.units).link_diameters
-    return tuple(lay_links(demand, diameters, covers) for demand in rule.links(combined, steel))
+    return tuple(
+        lay_links(demand, diameters, covers)
+        for support in punching_supports(combined)
+        for demand in rule.links(combined, steel, support, rule.demands[support](combined))
+    )
 
 
 def _cover(steel: Reinforcement, face: str) -> float:

@@ -39,8 +39,6 @@ MOST = 0.5
 RECESS = 1e-6
 #: Edges are near a zone up to this over the effective depth: the perimeters of EN 1992-1-1 reach so far.
 NEAR = 2.0
-#: Where no zone is judged.
-NONE = "no thicker zone pushes or pulls"
 #: Centers of zones are rounded to so many digits [m].
 PLACES = 9
 #: So many columns of a zone are named.

@@ -16,7 +16,7 @@ from groundslab.model.loads.load_cases import SERVICEABILITY, STRENGTH
 from groundslab.model.structure.columns import Column
 from groundslab.results.plate_result import PlateResult
 from groundslab.results.results import Results
-from groundslab.views.tables.punching import extremes_of_punching, punching_at_columns
+from groundslab.views.tables.punching import extremes_of_punching, punching_of
 from groundslab.views.tables.table import Cell, Head, Table, table_of
 
 _NEIGHBOURS = (
@@ -44,7 +44,7 @@ def column_table(combined: Results) -> Table:
     model = combined.model
     results = solved_results(combined)
     by_case = {column.name: column_loads.sum_of_column(combined.solved_model, column.name) for column in model.columns}
-    punched = punching_at_columns(combined)
+    punched = punching_of(combined, "column")
     rows = []
     for result in results:
         neighbor = _neighbors(result.plate, model.columns)

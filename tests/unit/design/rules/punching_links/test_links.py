@@ -16,7 +16,7 @@ from groundslab.design.codes.aci318.checks import links as aci318_links
 from groundslab.design.codes.aci318.checks.two_way_demand import two_way
 from groundslab.design.codes.en1992_2004.checks import links as en1992_links
 from groundslab.design.codes.en1992_2004.checks import punching_demand
-from groundslab.design.codes.en1992_2004.checks.governing_perimeters import demands
+from groundslab.design.codes.en1992_2004.checks.governing_perimeters import column_demands
 from groundslab.design.codes.en1992_2004.checks.punching_demand import Demand
 from groundslab.design.rules.punching_links.layout import LinkLayout
 from groundslab.model.model import Model
@@ -80,7 +80,7 @@ def outer_by_hand(found: list[Demand]) -> float:
 
 def assert_rules_of_en1992(results: Results, layout: LinkLayout) -> None:
     """Hold a layout to 6.4.5 and 9.4.3 of EN 1992-1-1 with the recommended values."""
-    found = [demand for demand in demands(results).found.values() if demand.name == layout.name]
+    found = [demand for demand in column_demands(results).found.values() if demand.name == layout.name]
     leg = math.pi * layout.diameter**2 / 4
     distances = [perimeter.distance for perimeter in layout.perimeters]
     s_r = distances[1] - distances[0]
@@ -152,7 +152,7 @@ def test_first_two_rows_carry_all_by_the_german_annex() -> None:
     """At 0.3 d and 0.8 d half of beta V_Ed,red / f_ywd,ef each, a third of both on each further row, phi <= 0.05 d."""
     results = solve_once(raft(1500e3, STEEL | {"annex": "Germany"}))
     layout = punching_links(results)[0]
-    found = [demand for demand in demands(results).found.values() if demand.name == "A"]
+    found = [demand for demand in column_demands(results).found.values() if demand.name == "A"]
     worst = max((demand.used(stress), demand, stress) for demand in found for stress in demand.around)[2]
     whole = worst.v_Ed * worst.u * D / (min(250 + 0.25 * 442, 500 / 1.15) * 1e6)
     first, second, *further = layout.perimeters
@@ -167,7 +167,7 @@ def test_inner_column_by_aci318() -> None:
     """Half of d from the face and from each other, 2 d along, A_v / s of the check, as far as v_u exceeds phi v_c."""
     results = solve_once(raft(1700e3, ACI))
     layout = punching_links(results)[0]
-    demand = max((each for (_, name), each in two_way(results)[0].items() if name == "A"), key=lambda each: each.v_u)
+    demand = max((each for (_, name), each in two_way(results).found.items() if name == "A"), key=lambda each: each.v_u)
     lambda_s = math.sqrt(2 / (1 + 0.004 * 442))
     v_c = 0.166 * lambda_s * math.sqrt(30)
     per_meter = (demand.v_u / 1e6 / 0.75 - v_c) * demand.b_o / 413.6

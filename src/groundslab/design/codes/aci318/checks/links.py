@@ -18,22 +18,17 @@ from groundslab.design.codes.aci318.checks.two_way_demand import (
     TwoWay,
     demand_on,
     openings_of,
-    pile_two_way,
     section_at,
-    strength,
-    two_way,
-    zone_two_way,
+    used,
 )
-from groundslab.design.codes.aci318.checks.wall_ends import wall_two_way
 from groundslab.design.codes.aci318.materials import PHI_SHEAR
 from groundslab.design.codes.aci318.materials_of_case import materials
 from groundslab.design.demands.by_plate import plate_under
-from groundslab.design.demands.perimeter_loads import PunchingForce, punching_columns, punching_piles
+from groundslab.design.demands.perimeter_loads import PunchingForce
 from groundslab.design.demands.perimeters import Surroundings, perimeter_at, surroundings
-from groundslab.design.demands.zones.thicker_zones import zone_forces
 from groundslab.design.rules.combinations import ultimate_results
+from groundslab.design.rules.punching import Demands, forces_that_punch
 from groundslab.design.rules.punching_links.demand import Arrangement, LinkDemand, LinkRow, Support, rounded_down
-from groundslab.design.rules.wall_ends import loaded_ends
 from groundslab.messages import Message
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.results import CombinationResult, Results
@@ -47,28 +42,23 @@ LEAST_ROWS, MOST_ROWS = 2, 20
 CLAUSES = "ACI 318-19 22.6.7, 8.7.6"
 
 
-def links(combined: Results, steel: Reinforcement) -> Iterator[LinkDemand]:
-    """Yield the columns, piles, zones and walls' ends that need stirrups, with perimeters, or why they do not help."""
-    results = ultimate_results(combined)
-    if not results:
-        return
-    model = combined.model
-    yield from _of_forces(results, steel, "column", punching_columns(combined.solved_model), two_way(combined)[0])
-    yield from _of_forces(results, steel, "pile", punching_piles(model), pile_two_way(combined)[0])
-    yield from _of_forces(results, steel, "zone", zone_forces(combined), zone_two_way(combined)[0])
-    if loaded_ends(model):
-        known = wall_two_way(combined)
-        for name in dict.fromkeys(name for _, name in known):
-            worst = _worst(known, name, steel)
-            if worst.v_u > strength(worst, steel):
+def links(combined: Results, steel: Reinforcement, support: Support, demands: Demands[TwoWay]) -> Iterator[LinkDemand]:
+    """Yield what of those that punch in one way needs stirrups, with perimeters, or why they do not help."""
+    if support == "wall end":
+        for name in dict.fromkeys(name for _, name in demands.found):
+            worst = _worst(demands.found, name, steel)
+            if used(worst, steel) > 1:
                 why = "stirrups at ends of walls are not laid out by this code here"
                 yield LinkDemand("wall end", name, worst.place, worst.combination, CLAUSES, why)
+        return
+    forces = forces_that_punch(combined, support)
+    yield from _of_forces(ultimate_results(combined), steel, support, forces, demands.found)
 
 
 def _worst(known: Mapping[tuple[str, str], TwoWay], name: str, steel: Reinforcement) -> TwoWay:
     """Return the demand at one column, pile or end of a wall that uses most."""
     of_name = [demand for (_, each), demand in known.items() if each == name]
-    return max(of_name, key=lambda demand: demand.v_u / strength(demand, steel))
+    return max(of_name, key=partial(used, steel=steel))
 
 
 def _of_forces(
@@ -81,7 +71,7 @@ def _of_forces(
     """Yield the columns, piles or zones that need stirrups."""
     for punching in forces:
         found = {pair: demand for pair, demand in known.items() if pair[1] == punching.name and not demand.supported}
-        needing = [demand for demand in found.values() if demand.v_u > strength(demand, steel)]
+        needing = [demand for demand in found.values() if used(demand, steel) > 1]
         if not needing:
             continue
         worst = max(needing, key=lambda demand: demand.v_u)

@@ -26,8 +26,8 @@ def reach(combined: Results) -> Reach:
 
     Beside columns means over cuts at d are checked (7.4.3.2).
     """
-    of_piles = punching_piles(combined.model), pile_two_way(combined)[1]
-    return reach_without(combined, of_piles, (zone_forces(combined), zone_two_way(combined)[1]))
+    of_piles = punching_piles(combined.model), pile_two_way(combined).missing
+    return reach_without(combined, of_piles, (zone_forces(combined), zone_two_way(combined).missing))
 
 
 def resistance(steel: Reinforcement, _: str, d: Array, rho: Array) -> Array:

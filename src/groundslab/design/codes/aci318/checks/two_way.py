@@ -3,63 +3,41 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from functools import partial
 
 from groundslab.design.codes.aci318 import punching as aci318
 from groundslab.design.codes.aci318.checks.two_way_demand import (
-    CUT,
     TwoWay,
-    pile_two_way,
     strength,
-    two_way,
-    zone_two_way,
+    used,
 )
-from groundslab.design.codes.aci318.checks.wall_ends import wall_two_way
 from groundslab.design.codes.aci318.materials import PHI_SHEAR
 from groundslab.design.codes.aci318.materials_of_case import materials
-from groundslab.design.demands.perimeter_loads import punching_piles
-from groundslab.design.demands.zones.thicker_zones import NONE, zone_forces
 from groundslab.design.rules.check import DesignCheck, Status
 from groundslab.design.rules.demand_errors import error_of_ratio, scaled
-from groundslab.design.rules.punching import judged, with_the_rest, with_way
-from groundslab.design.rules.wall_ends import NO_WALL, loaded_ends
+from groundslab.design.rules.punching import Aspect, Demands
+from groundslab.design.rules.punching_links.demand import Support
 from groundslab.messages import Message, Name
 from groundslab.model.design.reinforcement import Reinforcement
-from groundslab.results.results import Results
+
+#: What the checks are called.
+NAMES: Mapping[Support, str] = {
+    "column": "two-way shear",
+    "pile": "two-way shear over piles",
+    "zone": "two-way shear around thicker zones",
+    "wall end": "two-way shear at walls' ends",
+}
 
 
-def checks(combined: Results) -> Iterator[DesignCheck]:
-    """Yield the check of two-way shear over all ultimate combinations."""
-    steel = combined.model.reinforcement
-    assert steel is not None
-    if combined.model.columns:
-        yield from _checks(steel, two_way(combined), "two-way shear", ("column", "no column pushes or pulls"))
-    if punching_piles(combined.model):
-        yield from _checks(
-            steel, pile_two_way(combined), "two-way shear over piles", ("pile", "no pile pushes or pulls")
-        )
-    if zone_forces(combined):
-        yield from _checks(steel, zone_two_way(combined), "two-way shear around thicker zones", ("thicker zone", NONE))
-    if loaded_ends(combined.model):
-        yield from _checks(steel, (wall_two_way(combined), {}), "two-way shear at walls' ends", ("wall end", NO_WALL))
-
-
-def _checks(
-    steel: Reinforcement,
-    demands: tuple[Mapping[tuple[str, str], TwoWay], Mapping[str, str]],
-    name: str,
-    pushing: tuple[str, str],
-) -> Iterator[DesignCheck]:
-    """Yield the check of columns, piles or zones, and which of them it leaves out."""
-    known, missing = demands
-    one, none = pushing
-    those, supported = judged(known.values(), lambda demand: demand.v_u / strength(demand, steel))
-    check = with_way(_worst(those, steel, name), known) if those else None
-    yield from with_the_rest(check, name, (f"{one}s", none, CUT), supported, missing)
+def aspects(support: Support, demands: Demands[TwoWay], steel: Reinforcement) -> Iterator[Aspect]:
+    """Yield what is judged: the critical section at d / 2."""
+    name = NAMES[support]
+    yield Aspect(name, demands.found.values(), partial(used, steel=steel), partial(_worst, steel=steel, name=name))
 
 
 def _worst(demands: list[TwoWay], steel: Reinforcement, name: str) -> DesignCheck:
     """Return the check of the column or pile that is used most."""
-    demand = max(demands, key=lambda each: each.v_u / strength(each, steel))
+    demand = max(demands, key=partial(used, steel=steel))
     beside = [each for each in demands if each.combination == demand.combination]
     error = error_of_ratio((each.v_u, strength(each, steel), each.error) for each in beside)
     v_u, resistance = max(demand.v_u, 0.0), strength(demand, steel)

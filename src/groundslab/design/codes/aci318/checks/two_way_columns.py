@@ -1,62 +1,42 @@
-"""What the tables of columns and piles have of two-way shear by ACI 318-19."""
+"""What tables have of two-way shear by ACI 318-19."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-
-from groundslab.design.codes.aci318.checks.two_way_demand import (
-    TwoWay,
-    pile_two_way,
-    strength,
-    two_way,
-    zone_two_way,
-)
-from groundslab.design.rules.punching import (
-    AROUND,
-    BEAMS,
-    DEPTH,
-    INSIDE,
-    RELIEF,
-    THINNER,
-    Heads,
-    PunchingColumns,
-    cells_inside,
-    edge_note,
-    effective_note,
-    missing_notes,
-    pulled_notes,
-)
-from groundslab.messages import Message, joined
+from groundslab.design.codes.aci318.checks.two_way_demand import TwoWay, strength, used
+from groundslab.design.rules.punching import INSIDE, RELIEF, Heads, cells_inside, effective_note
+from groundslab.design.rules.punching_links.demand import Support
+from groundslab.messages import Message
 from groundslab.model.design.reinforcement import Reinforcement
-from groundslab.results.results import Results
 
-_HEADS: Heads = (("d", "mm"), ("V_u", "kN"), ("b_o", "m"), ("v_u", "MPa"), *INSIDE, ("phi v_c", "MPa"))
-
-
-def at_columns(combined: Results, steel: Reinforcement) -> PunchingColumns:
-    """Return two-way shear at columns."""
-    return _columns(combined, steel, two_way(combined), "column")
-
-
-def over_piles(combined: Results, steel: Reinforcement) -> PunchingColumns:
-    """Return two-way shear of the plate over piles."""
-    return _columns(combined, steel, pile_two_way(combined), "pile")
+_STRESS: Heads = (("d", "mm"), ("V_u", "kN"), ("b_o", "m"), ("v_u", "MPa"))
+_AT_WALLS = (
+    "Two-way shear by ACI 318-19 22.6.5.2, in ultimate combinations: V_u is the shear force of the slab across "
+    "the critical section at d / 2 from the wall's faces. v_u = beta V_u / (b_o d).",
+    "ACI 318-19 has no figure for ends of walls: as much of them as by DIN EN 1992-1-1/NA, Figure NA.6.12.1, "
+    "counts, and beta is that of its Figure NA.6.21.1, 1.35 at ends and 1.20 at corners.",
+)
 
 
-def around_zones(combined: Results, steel: Reinforcement) -> PunchingColumns:
-    """Return two-way shear around thicker zones with columns."""
-    return _columns(combined, steel, zone_two_way(combined), "zone")
+def heads(support: Support) -> Heads:
+    """Return the columns."""
+    at_wall = support == "wall end"
+    return (*_STRESS, ("phi v_c", "MPa"), ("v_u / phi v_c", "")) if at_wall else (*_STRESS, *INSIDE, ("phi v_c", "MPa"))
 
 
-def _columns(
-    combined: Results,
-    steel: Reinforcement,
-    demands: tuple[Mapping[tuple[str, str], TwoWay], Mapping[str, str]],
-    support: str,
-) -> PunchingColumns:
-    """Return the columns of demands, and their notes."""
-    known, missing = demands
-    notes = (
+def cells(demand: TwoWay, steel: Reinforcement, support: Support) -> list[float | None]:
+    """Return the figures of a demand."""
+    of_stress = [demand.d * 1e3, demand.V_u / 1e3, demand.b_o, demand.v_u / 1e6]
+    resists = strength(demand, steel) / 1e6
+    if support == "wall end":
+        return [*of_stress, resists, used(demand, steel)]
+    return [*of_stress, *cells_inside(demand.force, demand.pressure, demand.edge, demand.others), resists]
+
+
+def notes(support: Support, _: Reinforcement) -> tuple[str, ...]:
+    """Return what a reader must know."""
+    if support == "wall end":
+        return _AT_WALLS
+    return (
         Message(
             "Two-way shear by ACI 318-19 22.6.5.2 and 8.4.4.2, in ultimate combinations: V_u = {relief}, on "
             "the critical section at d / 2, v_u with the moments of all forces inside about its center, on "
@@ -64,24 +44,4 @@ def _columns(
             relief=RELIEF[support],
         ),
         effective_note("J_c"),
-        edge_note(steel, support),
-        joined((DEPTH[support], THINNER), " "),
-        *pulled_notes(known.values()),
-        *((AROUND,) if support == "zone" else ()),
-        *((BEAMS,) if combined.model.beams else ()),
     )
-    return PunchingColumns(
-        _HEADS,
-        lambda combination, name: _cells(known.get((combination, name)), steel),
-        (*notes, *missing_notes(missing, support)),
-    )
-
-
-def _cells(demand: TwoWay | None, steel: Reinforcement) -> list[float | None]:
-    """Return the figures of a demand, in the order of the table; nothing where nothing punches."""
-    if demand is None:
-        return [None] * len(_HEADS)
-    inside = cells_inside(demand.force, demand.pressure, demand.edge, demand.others)
-    return [
-        demand.d * 1e3, demand.V_u / 1e3, demand.b_o, demand.v_u / 1e6, *inside, strength(demand, steel) / 1e6,
-    ]  # fmt: skip

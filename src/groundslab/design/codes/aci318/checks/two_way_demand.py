@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import partial
+
+import numpy as np
 
 from groundslab.arrays import Array, made_once, made_once_by
 from groundslab.design.codes.aci318 import punching as aci318
@@ -13,11 +15,12 @@ from groundslab.design.codes.aci318.materials_of_case import materials
 from groundslab.design.demands import line_properties, perimeter_loads
 from groundslab.design.demands.by_plate import plate_under
 from groundslab.design.demands.perimeter_loads import PerimeterLoads, Places, PunchingForce, PunchingShear
-from groundslab.design.demands.perimeters import Openings, Perimeter, perimeter
+from groundslab.design.demands.perimeters import Openings, Perimeter, SketchedPerimeter, perimeter
 from groundslab.design.demands.zones.thicker_zones import zone_forces
 from groundslab.design.demands.zones.thinner_slab import counted, depth_share, thinner_parts
 from groundslab.design.rules.combinations import ultimate_results
 from groundslab.design.rules.demand_errors import error_of
+from groundslab.design.rules.punching import Demands
 from groundslab.errors import InputError
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.model.model import Model
@@ -53,6 +56,11 @@ class TwoWay:
     line: Perimeter | None = field(default=None, repr=False, compare=False)  # of a column or pile
     pulls: bool = False  # whether a column pulls up, or a pile down
 
+    @property
+    def sketch(self) -> SketchedPerimeter | None:
+        """Return the critical section of a column or pile."""
+        return None if self.line is None else SketchedPerimeter(self.line, self.line.legs, np.array(self.place))
+
 
 @dataclass(frozen=True, slots=True)
 class CriticalSection:
@@ -75,37 +83,32 @@ def _sections(results: CombinationResult, model: Model) -> Places[CriticalSectio
 
 
 @made_once
-def two_way(combined: Results) -> tuple[dict[tuple[str, str], TwoWay], Mapping[str, str]]:
+def two_way(combined: Results) -> Demands[TwoWay]:
     """Return the demands by combination and column, and why columns have none."""
     return _two_way(combined, perimeter_loads.punching_columns(combined.solved_model))
 
 
 @made_once
-def pile_two_way(combined: Results) -> tuple[dict[tuple[str, str], TwoWay], Mapping[str, str]]:
+def pile_two_way(combined: Results) -> Demands[TwoWay]:
     """Return the demands by combination and pile, and why piles have none."""
     return _two_way(combined, perimeter_loads.punching_piles(combined.model))
 
 
 @made_once
-def zone_two_way(combined: Results) -> tuple[dict[tuple[str, str], TwoWay], Mapping[str, str]]:
+def zone_two_way(combined: Results) -> Demands[TwoWay]:
     """Return the demands by combination and thicker zone with columns on it (22.6.4.1(b)), and why zones have none."""
     return _two_way(combined, zone_forces(combined))
 
 
-def _two_way(
-    combined: Results, forces: tuple[PunchingForce, ...]
-) -> tuple[dict[tuple[str, str], TwoWay], Mapping[str, str]]:
+def _two_way(combined: Results, forces: tuple[PunchingForce, ...]) -> Demands[TwoWay]:
     """Return the demands of forces that punch the plate by combination and name, and why some have none."""
     model, steel = combined.model, combined.model.reinforcement
     demands: dict[tuple[str, str], TwoWay] = {}
     missing: dict[str, str] = {}
     if steel is None:
-        return demands, missing
+        return Demands()
     results = ultimate_results(combined)
     make = partial(critical_section, steel=steel)
-
-    def used(demand: TwoWay) -> float:
-        return demand.v_u / strength(demand, steel)
 
     for punching, section, pushing in perimeter_loads.pushing_forces(results, forces, model, (_sections, make)):
         if isinstance(section, str):
@@ -113,8 +116,8 @@ def _two_way(
             continue
         for result in pushing:
             demand = demand_on(result, section, punching, steel)
-            perimeter_loads.add_worse(demands, (result.combination, punching.name), demand, used)
-    return demands, missing
+            perimeter_loads.add_worse(demands, (result.combination, punching.name), demand, partial(used, steel=steel))
+    return Demands(demands, missing)
 
 
 def critical_section(
@@ -207,3 +210,8 @@ def strength(demand: TwoWay, steel: Reinforcement) -> float:
     concrete, _ = materials(steel)
     v_c = aci318.without_links(concrete, demand.d, demand.b_o, demand.beta, demand.alpha_s)
     return PHI_SHEAR * v_c
+
+
+def used(demand: TwoWay, steel: Reinforcement) -> float:
+    """Return v_u over phi v_c."""
+    return demand.v_u / strength(demand, steel)

@@ -5,81 +5,29 @@ Every value is that of the check; formulas stand beside the functions that compu
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
-
-import numpy as np
+from collections.abc import Iterator
 
 from groundslab.design.codes.aci318 import punching as aci318
 from groundslab.design.codes.aci318.checks.concrete_steps import concrete_in_shear
-from groundslab.design.codes.aci318.checks.two_way_demand import (
-    TwoWay,
-    pile_two_way,
-    strength,
-    two_way,
-    zone_two_way,
-)
-from groundslab.design.codes.aci318.checks.wall_ends import WALL_STRESS, wall_two_way
+from groundslab.design.codes.aci318.checks.two_way_demand import TwoWay, strength, used
+from groundslab.design.codes.aci318.checks.wall_ends import WALL_STRESS
 from groundslab.design.codes.aci318.materials import PHI_SHEAR, Concrete, Steel
 from groundslab.design.codes.aci318.materials_of_case import materials
-from groundslab.design.demands.perimeters import SketchedPerimeter
-from groundslab.design.rules.calculation import MEGA, SAME, Pushing, Step, punching_force
-from groundslab.design.rules.design_code import Calculation
+from groundslab.design.rules.calculation import MEGA, SAME, Step, punching_force
+from groundslab.design.rules.punching_links.demand import Support
 from groundslab.messages import Message
 from groundslab.model.design.reinforcement import Reinforcement
-from groundslab.results.results import Results
 
 
-def at_columns(combined: Results, steel: Reinforcement) -> Iterator[Calculation]:
-    """Yield the governing combination of each column with its steps; those that use most come first."""
-    return _governing(two_way(combined)[0].values(), steel, "column")
-
-
-def over_piles(combined: Results, steel: Reinforcement) -> Iterator[Calculation]:
-    """Yield the governing combination of each pile with its steps; those that use most come first."""
-    return _governing(pile_two_way(combined)[0].values(), steel, "pile")
-
-
-def around_zones(combined: Results, steel: Reinforcement) -> Iterator[Calculation]:
-    """Yield the governing combination of each thicker zone with its steps; those that use most come first."""
-    return _governing(zone_two_way(combined)[0].values(), steel, "zone")
-
-
-def at_walls(combined: Results, steel: Reinforcement) -> Iterator[Calculation]:
-    """Yield the governing combination of each end and corner of walls with its steps; those that use most first."""
-    return _governing(wall_two_way(combined).values(), steel, None)
-
-
-#: The calculations by their names.
-STEPS = (
-    ("punching", at_columns),
-    ("punching over piles", over_piles),
-    ("punching around thicker zones", around_zones),
-    ("punching at walls' ends", at_walls),
-)
-
-
-def _governing(demands: Iterable[TwoWay], steel: Reinforcement, one: Pushing | None) -> Iterator[Calculation]:
-    """Yield name, combination and steps where each uses most of its strength; nothing pushes alone at walls."""
-    governing: dict[str, TwoWay] = {}
-    for demand in demands:
-        known = governing.get(demand.name)
-        if demand.v_u > (0.0 if known is None else known.v_u):
-            governing[demand.name] = demand
-    for demand in sorted(governing.values(), key=lambda each: -each.v_u / strength(each, steel)):
-        line, place = demand.line, np.array(demand.place)
-        sketch = None if line is None else SketchedPerimeter(line, line.legs, place)
-        yield Calculation(demand.name, demand.combination, tuple(_steps(demand, steel, one)), sketch)
-
-
-def _steps(demand: TwoWay, steel: Reinforcement, one: Pushing | None) -> Iterator[Step]:
+def steps(demand: TwoWay, steel: Reinforcement, support: Support) -> Iterator[Step]:
     """Yield the steps of a demand."""
     concrete, bars = materials(steel)
-    if one is None:
+    if support == "wall end":
         words = "shear force of the slab across the critical section"
         yield Step(words, "V_u", demand.V_u / MEGA, "MN", clause="22.6.4.1")
     else:
         inside = demand.force, demand.others, demand.pressure, demand.edge
-        yield from punching_force((one, demand.pulls), ("N_u", "V_u"), inside, demand.V_u, "22.6.4.1")
+        yield from punching_force((support, demand.pulls), ("N_u", "V_u"), inside, demand.V_u, "22.6.4.1")
     yield Step("effective depth", "d", demand.d, "m", clause="22.6.2.1")
     thinned = demand.line is not None and demand.b_o < (1 - SAME) * demand.line.u
     words = (
@@ -101,7 +49,7 @@ def _steps(demand: TwoWay, steel: Reinforcement, one: Pushing | None) -> Iterato
     v_c = strength(demand, steel) / PHI_SHEAR / MEGA
     yield Step("stress that needs no stirrups", "v_c", v_c, "MPa", aci318.FORMULAS["v_c"], "Table 22.6.5.2")
     yield Step("strength reduction factor", "phi", PHI_SHEAR, clause="Table 21.2.1")
-    share = demand.v_u / strength(demand, steel)
+    share = used(demand, steel)
     yield Step("share used", "eta", share, "", "v_u / (phi * v_c)", "8.5.1.1")
     if share > 1:
         yield from _stirrups(demand, concrete, bars)

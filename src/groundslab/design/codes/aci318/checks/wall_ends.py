@@ -1,4 +1,4 @@
-"""Two-way shear by ACI 318-19 22.6 at ends and corners of walls, at d / 2 from their faces, and its table.
+"""Two-way shear by ACI 318-19 22.6 at ends and corners of walls, at d / 2 from their faces.
 
 ACI 318-19 has no figure for them. As much of the walls counts as by DIN EN 1992-1-1/NA, and instead of gamma_v M c /
 J_c of a moment that is not known its factors beta. alpha_s is that of three sides at an end and of two at a corner
@@ -14,11 +14,10 @@ import numpy as np
 
 from groundslab.arrays import Array, made_once
 from groundslab.design.codes.aci318 import punching as aci318
-from groundslab.design.codes.aci318.checks.two_way_demand import OPENING_REACH, TwoWay, strength
+from groundslab.design.codes.aci318.checks.two_way_demand import OPENING_REACH, TwoWay
 from groundslab.design.demands.perimeters import Openings
-from groundslab.design.rules.punching import Heads, PunchingColumns
+from groundslab.design.rules.punching import Demands
 from groundslab.design.rules.wall_ends import WallPunching, punching_walls
-from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.results import Results
 
 #: Distance of the critical section over the effective depth (22.6.4.1).
@@ -28,19 +27,15 @@ WALL_STRESS = "beta_e * V_u / (b_o * d)"
 #: How critical sections run, for alpha_s.
 SHAPES = {"end": "edge", "corner": "corner"}
 
-_HEADS: Heads = (
-    ("d", "mm"), ("V_u", "kN"), ("b_o", "m"), ("v_u", "MPa"), ("phi v_c", "MPa"), ("v_u / phi v_c", ""),
-)  # fmt: skip
-
 
 @made_once
-def wall_two_way(combined: Results) -> dict[tuple[str, str], TwoWay]:
+def wall_two_way(combined: Results) -> Demands[TwoWay]:
     """Return the demands by combination and end or corner of walls, if bars are given."""
     steel = combined.model.reinforcement
     if steel is None:
-        return {}
+        return Demands()
     some = punching_walls(combined, steel, DISTANCE, lambda thickness, _: Openings(OPENING_REACH * thickness))
-    return {(each.results.combination, each.site.end.name): _demand(each) for each in some}
+    return Demands({(each.results.combination, each.site.end.name): _demand(each) for each in some})
 
 
 def _demand(punching: WallPunching) -> TwoWay:
@@ -74,26 +69,3 @@ def _side_ratio(points: Array) -> float:
     corners = get_coordinates(MultiPoint(points).minimum_rotated_rectangle)
     sides = sorted(math.dist(corners[i], corners[i + 1]) for i in (0, 1))
     return sides[1] / sides[0]
-
-
-def at_walls(combined: Results, steel: Reinforcement) -> PunchingColumns:
-    """Return what the table of punching at ends and corners of walls has."""
-    known = wall_two_way(combined)
-    return PunchingColumns(
-        _HEADS,
-        lambda combination, name: _cells(known.get((combination, name)), steel),
-        (
-            "Two-way shear by ACI 318-19 22.6.5.2, in ultimate combinations: V_u is the shear force of the slab across "
-            "the critical section at d / 2 from the wall's faces. v_u = beta V_u / (b_o d).",
-            "ACI 318-19 has no figure for ends of walls: as much of them as by DIN EN 1992-1-1/NA, Figure NA.6.12.1, "
-            "counts, and beta is that of its Figure NA.6.21.1, 1.35 at ends and 1.20 at corners.",
-        ),
-    )
-
-
-def _cells(demand: TwoWay | None, steel: Reinforcement) -> list[float | None]:
-    """Return the figures of a demand, in the order of the table; nothing where nothing punches."""
-    if demand is None:
-        return [None] * len(_HEADS)
-    most = strength(demand, steel)
-    return [demand.d * 1e3, demand.V_u / 1e3, demand.b_o, demand.v_u / 1e6, most / 1e6, demand.v_u / most]

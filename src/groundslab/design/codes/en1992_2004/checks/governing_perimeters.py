@@ -23,7 +23,6 @@ from groundslab.design.codes.en1992_2004.checks.punching_demand import (
     SAME_DISTANCE,
     ControlPerimeter,
     Demand,
-    Demands,
     Stress,
 )
 from groundslab.design.codes.en1992_2004.materials_of_case import materials
@@ -37,6 +36,7 @@ from groundslab.design.demands.zones.thicker_zones import ZoneForce, zone_forces
 from groundslab.design.demands.zones.thinner_slab import ThinnerPart, counted, thinner_parts
 from groundslab.design.rules.combinations import ultimate_results
 from groundslab.design.rules.demand_errors import error_of
+from groundslab.design.rules.punching import Demands
 from groundslab.errors import InputError
 from groundslab.model.design.laid_bars import punching_ratio
 from groundslab.model.design.reinforcement import Reinforcement
@@ -54,7 +54,7 @@ NO_ECCENTRICITY = 1e-9
 
 
 @made_once
-def demands(combined: Results) -> Demands:
+def column_demands(combined: Results) -> Demands[Demand]:
     """Return the demands of punching in all ultimate combinations, if bars are given; at columns."""
     around = {name for (_, name), demand in zone_demands(combined).found.items() if demand.around}
     zones = tuple(zone for zone in zone_forces(combined) if zone.name in around)
@@ -62,12 +62,14 @@ def demands(combined: Results) -> Demands:
 
 
 @made_once
-def pile_demands(combined: Results) -> Demands:
+def pile_demands(combined: Results) -> Demands[Demand]:
     """Return the demands of punching in all ultimate combinations, if bars are given; at piles."""
     return _demands(combined, perimeter_loads.punching_piles(combined.model))
 
 
-def _demands(combined: Results, forces: tuple[PunchingForce, ...], zones: tuple[ZoneForce, ...] = ()) -> Demands:
+def _demands(
+    combined: Results, forces: tuple[PunchingForce, ...], zones: tuple[ZoneForce, ...] = ()
+) -> Demands[Demand]:
     """Return the demands of forces that punch the plate; zones with demands of their own take over beyond them."""
     model, steel = combined.model, combined.model.reinforcement
     results = ultimate_results(combined)
@@ -75,7 +77,7 @@ def _demands(combined: Results, forces: tuple[PunchingForce, ...], zones: tuple[
     missing: dict[str, str] = {}
     reach: dict[tuple[bool, str], float] = {}
     if steel is None:
-        return Demands(governing, missing, {punching.name: punching.place for punching in forces}, reach)
+        return Demands()
     make = partial(_site, steel=steel, zones=zones)
     for punching, site, pushing in perimeter_loads.pushing_forces(results, forces, model, (_sites, make)):
         of_combinations, why = _largest(pushing, site)
@@ -86,7 +88,7 @@ def _demands(combined: Results, forces: tuple[PunchingForce, ...], zones: tuple[
         reach[punching.key] = min(max(site.d, last), reach.get(punching.key, math.inf))
         for demand in of_combinations:
             perimeter_loads.add_worse(governing, (demand.combination, punching.name), demand, _most_used)
-    return Demands(governing, missing, {punching.name: punching.place for punching in forces}, reach)
+    return Demands(governing, missing, reach)
 
 
 def _most_used(demand: Demand) -> float:
@@ -96,7 +98,7 @@ def _most_used(demand: Demand) -> float:
 
 
 @made_once
-def zone_demands(combined: Results) -> Demands:
+def zone_demands(combined: Results) -> Demands[Demand]:
     """Return the demands around thicker zones with columns on them (6.4.2(8) to (11)), at none of their faces."""
     return _demands(combined, zone_forces(combined))
 
@@ -347,7 +349,7 @@ def _demand(results: CombinationResult, site: _Site, face: ControlPerimeter | st
     force = float(site.punching.pushing(results)[0])
     at_face = None if isinstance(face, str) else _face_stress(results, site, face, controls[-1] if controls else face)
     about = site.punching.name, results.combination, results.limit_state, force, site.d
-    return Demand(*about, v_Rd_c, at_face, stresses, ratio, site.punching.pulls)
+    return Demand(*about, v_Rd_c, at_face, stresses, ratio, site.punching.pulls, site.punching.place)
 
 
 def _with_perimeter(demand: Demand, results: CombinationResult, site: _Site, control: ControlPerimeter) -> Demand:

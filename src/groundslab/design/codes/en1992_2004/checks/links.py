@@ -21,26 +21,22 @@ from typing import TYPE_CHECKING
 
 from groundslab.arrays import Array
 from groundslab.design.codes.en1992_2004 import punching as en1992
-from groundslab.design.codes.en1992_2004.checks.governing_perimeters import demands, pile_demands, zone_demands
 from groundslab.design.codes.en1992_2004.checks.punching import limited_with_links
 from groundslab.design.codes.en1992_2004.checks.punching_demand import (
     FARTHEST,
     REACH,
     TOO_FAR,
     Demand,
-    Demands,
     Stress,
     outer,
 )
-from groundslab.design.codes.en1992_2004.checks.wall_ends import at_ends, wall_demands
+from groundslab.design.codes.en1992_2004.checks.wall_ends import at_ends
 from groundslab.design.codes.en1992_2004.materials_of_case import materials
 from groundslab.design.codes.en1992_2004.perimeters import openings
 from groundslab.design.demands.by_plate import plate_under
 from groundslab.design.demands.perimeter_loads import (
     PunchingForce,
     footprint_of,
-    punching_columns,
-    punching_piles,
     thickness_at,
 )
 from groundslab.design.demands.perimeters import (
@@ -53,8 +49,8 @@ from groundslab.design.demands.perimeters import (
     surroundings,
 )
 from groundslab.design.demands.wall_perimeters import LoadedArea, course
-from groundslab.design.demands.zones.thicker_zones import zone_forces
 from groundslab.design.rules.combinations import ultimate_results
+from groundslab.design.rules.punching import Demands, forces_that_punch
 from groundslab.design.rules.punching_links.demand import (
     Arrangement,
     LinkDemand,
@@ -63,7 +59,6 @@ from groundslab.design.rules.punching_links.demand import (
     rounded_down,
     rounded_up,
 )
-from groundslab.design.rules.wall_ends import loaded_ends
 from groundslab.messages import Message
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.results import CombinationResult, Results
@@ -95,17 +90,13 @@ class _Required:
     last: float  # how far from the face the last one is at least [m]
 
 
-def links(combined: Results, steel: Reinforcement) -> Iterator[LinkDemand]:
-    """Yield the columns, piles, zones and ends of walls that need links, with perimeters, or why they do not help."""
-    results = ultimate_results(combined)
-    if not results:
-        return
-    model = combined.model
-    yield from _of_forces(results[0], steel, "column", punching_columns(combined.solved_model), demands(combined))
-    yield from _of_forces(results[0], steel, "pile", punching_piles(model), pile_demands(combined))
-    yield from _of_forces(results[0], steel, "zone", zone_forces(combined), zone_demands(combined))
-    if loaded_ends(model):
-        yield from _of_walls(combined, steel)
+def links(combined: Results, steel: Reinforcement, support: Support, demands: Demands[Demand]) -> Iterator[LinkDemand]:
+    """Yield what of those that punch in one way needs links, with perimeters, or why they do not help."""
+    if support == "wall end":
+        yield from _of_walls(combined, steel, demands)
+    else:
+        forces = forces_that_punch(combined, support)
+        yield from _of_forces(ultimate_results(combined)[0], steel, support, forces, demands)
 
 
 def _of_forces(
@@ -113,7 +104,7 @@ def _of_forces(
     steel: Reinforcement,
     support: Support,
     forces: Sequence[PunchingForce],
-    punched: Demands,
+    punched: Demands[Demand],
 ) -> Iterator[LinkDemand]:
     """Yield the columns, piles or zones that need links."""
     for punching in forces:
@@ -133,9 +124,8 @@ def _of_forces(
         yield LinkDemand(support, punching.name, punching.place, required.combination, CLAUSES, arrangement)
 
 
-def _of_walls(combined: Results, steel: Reinforcement) -> Iterator[LinkDemand]:
+def _of_walls(combined: Results, steel: Reinforcement, punched: Demands[Demand]) -> Iterator[LinkDemand]:
     """Yield the ends and corners of walls that need links."""
-    punched = wall_demands(combined)
     some = at_ends(combined, steel)
     for name, (site, results) in {each.site.end.name: (each.site, each.results) for each in some}.items():
         found = [demand for demand in punched.found.values() if demand.name == name]

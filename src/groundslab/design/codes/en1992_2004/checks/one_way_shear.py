@@ -8,7 +8,7 @@ import numpy as np
 
 from groundslab.arrays import Array
 from groundslab.design.codes.en1992_2004 import shear
-from groundslab.design.codes.en1992_2004.checks.governing_perimeters import demands, pile_demands, zone_demands
+from groundslab.design.codes.en1992_2004.checks.governing_perimeters import column_demands, pile_demands, zone_demands
 from groundslab.design.codes.en1992_2004.materials_of_case import largest_cover, materials
 from groundslab.design.demands.perimeter_loads import Reach
 from groundslab.design.rules.calculation import MEGA, Step
@@ -22,7 +22,7 @@ LEAST_WITH_LINKS = 0.2
 
 def reach(combined: Results) -> Reach:
     """Return how far from the face of columns, piles and thicker zones punching is checked instead [m]."""
-    return {**demands(combined).reach, **pile_demands(combined).reach, **zone_demands(combined).reach}
+    return {**column_demands(combined).reach, **pile_demands(combined).reach, **zone_demands(combined).reach}
 
 
 def resistance(steel: Reinforcement, limit_state: str, d: Array, rho: Array) -> Array:

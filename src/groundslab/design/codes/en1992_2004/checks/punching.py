@@ -2,34 +2,38 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from functools import partial
 from typing import Any, NamedTuple
 
 from groundslab.design.codes.en1992_2004 import punching as en1992
 from groundslab.design.codes.en1992_2004.annex import Annex
-from groundslab.design.codes.en1992_2004.checks.governing_perimeters import CUT, demands, pile_demands, zone_demands
 from groundslab.design.codes.en1992_2004.checks.punching_demand import (
     LAST_LINKS,
     TOO_FAR,
     Demand,
-    Demands,
     Stress,
     outer,
 )
-from groundslab.design.codes.en1992_2004.checks.wall_ends import wall_demands
 from groundslab.design.codes.en1992_2004.materials_of_case import materials
-from groundslab.design.demands.perimeter_loads import punching_piles
-from groundslab.design.demands.zones.thicker_zones import NONE, zone_forces
 from groundslab.design.rules.check import DesignCheck, Status
 from groundslab.design.rules.demand_errors import error_of_ratio, scaled
-from groundslab.design.rules.punching import judged, with_the_rest, with_way
-from groundslab.design.rules.wall_ends import NO_WALL, loaded_ends
+from groundslab.design.rules.punching import CALLED, Aspect, Demands
+from groundslab.design.rules.punching_links.demand import Support
 from groundslab.messages import Clause, Message, Name
 from groundslab.model.design.reinforcement import Reinforcement
-from groundslab.results.results import Results
 
+#: What the checks around are called, and those at faces.
+WITHIN_2D: Mapping[Support, str] = {
+    "column": "punching within 2 d",
+    "pile": "punching over piles within 2 d",
+    "zone": "punching around thicker zones within 2 d",
+    "wall end": "punching at walls' ends within 2 d",
+}
+AT_FACES: Mapping[Support, str] = {
+    "column": "punching at the column's face", "pile": "punching at the pile's face",
+}  # fmt: skip
 #: How many perimeters of links there are at least (9.4.3(1)).
 LEAST_PERIMETERS = 2
 
@@ -57,106 +61,53 @@ class Judged(NamedTuple):
         return self.stress.v_Ed / self.resistance
 
 
-class Names(NamedTuple):
-    """How checks call what punches."""
-
-    face: str  # empty where it is not judged
-    within: str
-    one: str
-    many: str
-    none: str  # where nothing pushes
-
-
-COLUMNS = Names(
-    "punching at the column's face", "punching within 2 d", "column", "columns", "no column pushes or pulls"
-)
-PILES = Names(
-    "punching at the pile's face", "punching over piles within 2 d", "pile", "piles", "no pile pushes or pulls"
-)
-WALLS = Names(
-    "", "punching at walls' ends within 2 d", "wall end", "wall ends",
-    NO_WALL,
-)  # fmt: skip
-
-ZONES = Names(
-    "", "punching around thicker zones within 2 d", "thicker zone", "thicker zones",
-    NONE,
-)  # fmt: skip
+def aspects(support: Support, demands: Demands[Demand], steel: Reinforcement) -> Iterator[Aspect]:
+    """Yield what is judged: of columns and piles v_Rd,max at faces where it is limited (6.4.5(3)); all within 2 d."""
+    found = demands.found.values()
+    if support in AT_FACES and en1992.max_resistance(materials(steel)[0]) is not None:
+        at_face = [
+            Judged(demand, demand.face, en1992.max_resistance(materials(steel, demand.limit_state)[0]) or 0.0)
+            for demand in found
+            if demand.face is not None
+        ]
+        yield Aspect(AT_FACES[support], at_face, _share, partial(_at_face, support), says_missing=False)
+    around = [Judged(demand, stress, demand.resistance(stress)) for demand in found for stress in demand.around]
+    yield Aspect(WITHIN_2D[support], around, _share, partial(_within_2d, steel, support))
 
 
-def checks(combined: Results) -> Iterator[DesignCheck]:
-    """Yield the checks of punching over all ultimate combinations."""
-    steel = combined.model.reinforcement
-    assert steel is not None
-    if combined.model.columns:
-        yield from _checks(steel, demands(combined), COLUMNS)
-    if punching_piles(combined.model):
-        yield from _checks(steel, pile_demands(combined), PILES)
-    if zone_forces(combined):
-        yield from _within_2d(steel, zone_demands(combined), ZONES)
-    if loaded_ends(combined.model):
-        yield from _within_2d(steel, wall_demands(combined), WALLS)
+def used(demand: Demand, _: Reinforcement) -> float:
+    """Return v_Ed / v_Rd where it is largest."""
+    return demand.used(demand.governing) if demand.governing is not None else 0.0
 
 
-def _checks(steel: Reinforcement, punched: Demands, names: Names) -> Iterator[DesignCheck]:
-    """Yield the checks at faces and around."""
-    if en1992.max_resistance(materials(steel)[0]) is not None:
-        yield from _face(steel, punched, names)
-    yield from _within_2d(steel, punched, names)
+def _at_face(support: Support, stresses: list[Judged]) -> DesignCheck:
+    """Return whether punching exceeds v_Rd,max at any face."""
+    return _punching(AT_FACES[support], support, "v_Rd,max", stresses, "fails", "6.4.5(3)")
 
 
-def _face(steel: Reinforcement, punched: Demands, names: Names) -> Iterator[DesignCheck]:
-    """Yield whether punching exceeds v_Rd,max at any face (EN 1992-1-1 6.4.5(3)), which is limited."""
-    stresses = [
-        Judged(demand, demand.face, en1992.max_resistance(materials(steel, demand.limit_state)[0]) or 0.0)
-        for demand in punched.found.values()
-        if demand.face is not None
-    ]
-    those, supported = judged(stresses, _share)
-    check = None
-    if those:
-        check = with_way(_punching(names.face, names, "v_Rd,max", those, punched, "fails", "6.4.5(3)"), punched.found)
-    elif punched.missing and not supported:
-        return  # whoever has no face has no perimeter around, where this is said
-    yield from with_the_rest(check, names.face, (names.many, names.none, CUT), supported, {})
-
-
-def _within_2d(steel: Reinforcement, punched: Demands, names: Names) -> Iterator[DesignCheck]:
-    """Yield whether punching within 2 d needs links, or exceeds what they can carry.
+def _within_2d(steel: Reinforcement, support: Support, there: list[Judged]) -> DesignCheck:
+    """Return whether punching within 2 d needs links, or exceeds what they can carry.
 
     With the bars provided in tension, or with the most that count, whatever will be laid. What links can carry is
     limited at 2 d, or on all perimeters where the face has no limit of its own, as at ends of walls.
     """
-    name = names.within
+    name = WITHIN_2D[support]
     annex = materials(steel)[0].annex
-    found, at_face = punched.found.values(), bool(names.face)
-    around = [Judged(demand, stress, demand.resistance(stress)) for demand in found for stress in demand.around]
-    there, supported = judged(around, _share)
-    rest = partial(with_the_rest, name=name, called=(names.many, names.none, CUT))
-    if not there:
-        yield from rest(None, supported=supported, missing=punched.missing)
-        return
     counted = {id(each.stress) for each in there}
-    limited = (each for demand in found for each in limited_with_links(demand, annex, at_face=at_face))
+    punching = {id(each.demand): each.demand for each in there}.values()
+    limited = (each for demand in punching for each in limited_with_links(demand, annex, at_face=support in AT_FACES))
     most = [each for each in limited if id(each.stress) in counted]
-    check = with_way(_judged_within_2d(steel, punched, names, there, most), punched.found)
-    yield from rest(check, supported=supported, missing=punched.missing)
-
-
-def _judged_within_2d(
-    steel: Reinforcement, punched: Demands, names: Names, there: list[Judged], most: list[Judged]
-) -> DesignCheck:
-    """Return the check of perimeters without links, and of those on which links are limited."""
-    name = names.within
     which = "the bars provided" if steel.laid else "the largest ratio that counts"
-    limit = Message("{k_max:g} v_Rd,c with {which}", k_max=materials(steel)[0].annex.k_max, which=which)
-    without = _punching(name, names, Message("v_Rd with {which}", which=which), there, punched, "attention", "6.4.4(2)")
+    limit = Message("{k_max:g} v_Rd,c with {which}", k_max=annex.k_max, which=which)
+    without = _punching(name, support, Message("v_Rd with {which}", which=which), there, "attention", "6.4.4(2)")
     needing = [each for each in there if each.share > 1]
     if most:
-        with_links = _punching(name, names, limit, most, punched, "fails", "6.4.5(1)")
+        with_links = _punching(name, support, limit, most, "fails", "6.4.5(1)")
         if with_links.status == "fails":
             beyond = {each.name for each in most if each.share > 1}
-            return replace(with_links, words=with_links.words + _more({each.name for each in needing} - beyond, names))
+            return replace(
+                with_links, words=with_links.words + _more({each.name for each in needing} - beyond, support)
+            )
         if with_links.hangs:
             low, high = with_links.between or (0.0, 0.0)
             words = Message(
@@ -175,7 +126,7 @@ def _judged_within_2d(
             without,
             words=Message("punching reinforcement is needed at {text}; {too_far}", text=without.words, too_far=TOO_FAR),
         )
-    links, reach = _links(steel, worst), _outer(worst.demand, names)
+    links, reach = _links(steel, worst), _outer(worst.demand, support)
     return replace(
         without,
         words=Message(
@@ -215,14 +166,14 @@ def _without_bars(steel: Reinforcement, check: DesignCheck, there: list[Judged])
     return replace(check, status="attention", words=Message("{needs}: {text}", needs=needs, text=check.words))
 
 
-def _more(needing: set[str], names: Names) -> str:
+def _more(needing: set[str], support: Support) -> str:
     """Return in words which others need links, beside those that links cannot help."""
     listed = Name(", ".join(sorted(needing)[:6]) + (" ..." if len(needing) > 6 else ""))
     return (
         Message(
             "; punching reinforcement is needed at {number} other {supports}: {names}",
             number=len(needing),
-            supports=names.many,
+            supports=CALLED[support][0],
             names=listed,
         )
         if needing
@@ -251,7 +202,7 @@ def _links(steel: Reinforcement, worst: Judged) -> str:
     )
 
 
-def _outer(demand: Demand, names: Names) -> str:
+def _outer(demand: Demand, support: Support) -> str:
     """Return in words where links are needed no more."""
     beyond = outer(demand)
     return Message(
@@ -260,7 +211,7 @@ def _outer(demand: Demand, names: Names) -> str:
         reach=LAST_LINKS * demand.d,
         u=beyond.u,
         distance=beyond.distance,
-        support=names.one,
+        support=CALLED[support][0][:-1],
     )
 
 
@@ -275,7 +226,7 @@ def _with(stress: Stress) -> str:
 
 
 def _punching(
-    name: str, names: Names, limit: str, stresses: list[Judged], punched: Demands, status: Status, clause: str
+    name: str, support: Support, limit: str, stresses: list[Judged], status: Status, clause: str
 ) -> DesignCheck:
     """Return whether any stress exceeds its limit, with the worst."""
     beyond = [each for each in stresses if each.share > 1]
@@ -289,7 +240,7 @@ def _punching(
         "unit": "MPa",
         "clause": f"EN 1992-1-1 {clause}",
         "combination": demand.combination,
-        "place": punched.places[demand.name],
+        "place": demand.place,
         "error": scaled(error, most / 1e6),
     }
     if beyond:
@@ -298,7 +249,7 @@ def _punching(
             '{count} {many}; worst {name} in "{combination}": v_Ed {v_Ed:.3g MPa}{at}, {moments}, is '
             "{share:.3g} times {most:.3g MPa}, {limit} ({clause})",
             count=count,
-            many=names.many if count > 1 else names.one,
+            many=CALLED[support][0][: None if count > 1 else -1],
             name=Name(demand.name),
             combination=Name(demand.combination),
             v_Ed=stress.v_Ed / 1e6,

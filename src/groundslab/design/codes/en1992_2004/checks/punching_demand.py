@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
 from groundslab.arrays import Array
 from groundslab.design.codes.en1992_2004.punching import outer_perimeter
 from groundslab.design.demands.line_properties import Course
-from groundslab.design.demands.perimeter_loads import PerimeterLoads, Reach
+from groundslab.design.demands.perimeter_loads import PerimeterLoads
 from groundslab.design.demands.perimeters import SketchedPerimeter
 from groundslab.messages import Message
 
@@ -84,6 +84,13 @@ class Demand:
     around: tuple[Stress, ...]  # from the face outwards; none where there is no such perimeter on the plate
     ratio: float = 0.0  # of the bars that count
     pulls: bool = False  # whether a column pulls up, or a pile down
+    place: tuple[float, float] = (0.0, 0.0)  # [m]
+
+    @property
+    def sketch(self) -> SketchedPerimeter | None:
+        """Return the governing perimeter of a column or pile."""
+        control = None if self.governing is None else self.governing.control
+        return None if control is None else control.sketch
 
     @property
     def at_2d(self) -> Stress | None:
@@ -137,13 +144,3 @@ def outer(demand: Demand) -> Outer:
     grows = (last.u - inner.u) / (last.distance - inner.distance) if inner is not None else 2 * math.pi
     grows = max(grows, LEAST_GROWTH)
     return Outer(u, last.distance + max(u - last.u, 0.0) / grows, last, inner, grows)
-
-
-@dataclass(frozen=True, slots=True)
-class Demands:
-    """The demands at all columns, piles or ends of walls by combination and name, and why some have none, by name."""
-
-    found: Mapping[tuple[str, str], Demand]
-    missing: Mapping[str, str]
-    places: Mapping[str, tuple[float, float]]  # of all of them [m]
-    reach: Reach  # how far from the face punching is checked, the rest is one-way shear [m]

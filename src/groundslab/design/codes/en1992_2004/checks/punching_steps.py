@@ -10,7 +10,6 @@ from collections.abc import Iterator
 
 from groundslab.design.codes.en1992_2004 import punching as en1992
 from groundslab.design.codes.en1992_2004.annex import Annex
-from groundslab.design.codes.en1992_2004.checks.governing_perimeters import demands, pile_demands, zone_demands
 from groundslab.design.codes.en1992_2004.checks.punching import LEAST_PERIMETERS, limited_with_links
 from groundslab.design.codes.en1992_2004.checks.punching_demand import (
     LAST_LINKS,
@@ -18,73 +17,31 @@ from groundslab.design.codes.en1992_2004.checks.punching_demand import (
     REACH,
     ControlPerimeter,
     Demand,
-    Demands,
     Outer,
     Stress,
     outer,
 )
-from groundslab.design.codes.en1992_2004.checks.wall_ends import wall_demands
 from groundslab.design.codes.en1992_2004.materials import Concrete, Steel
 from groundslab.design.codes.en1992_2004.materials_of_case import materials
-from groundslab.design.rules.calculation import MEGA, SAME, Pushing, Step, punching_force
-from groundslab.design.rules.design_code import Calculation
+from groundslab.design.rules.calculation import MEGA, SAME, Step, punching_force
+from groundslab.design.rules.punching_links.demand import Support
 from groundslab.messages import Message
 from groundslab.model.design.reinforcement import Reinforcement
-from groundslab.results.results import Results
-
-
-def at_columns(combined: Results, steel: Reinforcement) -> Iterator[Calculation]:
-    """Yield the governing combination of each column with its steps; those that use most come first."""
-    return _governing(demands(combined), steel, "column")
-
-
-def over_piles(combined: Results, steel: Reinforcement) -> Iterator[Calculation]:
-    """Yield the governing combination of each pile with its steps; those that use most come first."""
-    return _governing(pile_demands(combined), steel, "pile")
-
-
-def around_zones(combined: Results, steel: Reinforcement) -> Iterator[Calculation]:
-    """Yield the governing combination of each thicker zone with its steps; those that use most come first."""
-    return _governing(zone_demands(combined), steel, "zone")
-
-
-def at_walls(combined: Results, steel: Reinforcement) -> Iterator[Calculation]:
-    """Yield the governing combination of each end and corner of walls with its steps; those that use most first."""
-    return _governing(wall_demands(combined), steel, None)
-
 
 #: Where DIN EN 1992-1-1/NA, the one annex with a bound, has the least beta: for slabs and for foundations.
 LEAST_BETA = "6.4.3(3), NA.6.39.1, 6.4.4(2), NA.6.51.1"
-#: The calculations by their names.
-STEPS = (
-    ("punching", at_columns),
-    ("punching over piles", over_piles),
-    ("punching around thicker zones", around_zones),
-    ("punching at walls' ends", at_walls),
-)
 
 
-def _governing(punched: Demands, steel: Reinforcement, one: Pushing | None) -> Iterator[Calculation]:
-    """Yield name, combination and steps where each uses most of its resistance; nothing pushes alone at walls."""
-    governing: dict[str, tuple[float, Demand, Stress]] = {}
-    for demand in punched.found.values():
-        stress = demand.governing
-        if stress is not None and demand.used(stress) > governing.get(demand.name, (0.0,))[0]:
-            governing[demand.name] = demand.used(stress), demand, stress
-    for _, demand, stress in sorted(governing.values(), key=lambda each: -each[0]):
-        steps = tuple(_steps(demand, stress, steel, one))
-        sketch = None if stress.control is None else stress.control.sketch
-        yield Calculation(demand.name, demand.combination, steps, sketch)
-
-
-def _steps(demand: Demand, stress: Stress, steel: Reinforcement, one: Pushing | None) -> Iterator[Step]:
-    """Yield the steps of a demand on one of its perimeters."""
+def steps(demand: Demand, steel: Reinforcement, support: Support) -> Iterator[Step]:
+    """Yield the steps of a demand on the perimeter that uses most."""
+    stress = demand.governing
+    assert stress is not None
     concrete, bars = materials(steel, demand.limit_state)
-    if one is None:
+    if support == "wall end":
         yield Step("shear force of the slab across the perimeter", "V_Ed", stress.V_Ed / MEGA, "MN", clause="6.4.4(2)")
     else:
         inside = demand.force, stress.others, stress.pressure, stress.edge
-        yield from punching_force((one, demand.pulls), ("N_Ed", "V_Ed"), inside, stress.V_Ed, "6.4.4(2), 6.48")
+        yield from punching_force((support, demand.pulls), ("N_Ed", "V_Ed"), inside, stress.V_Ed, "6.4.4(2), 6.48")
     yield Step("distance of the perimeter from the face", "a", stress.distance, "m", clause="6.4.4(2)")
     thinned = stress.control is not None and stress.control.thinned
     words = (

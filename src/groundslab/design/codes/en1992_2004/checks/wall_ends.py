@@ -1,4 +1,4 @@
-"""Punching at ends and corners of walls by EN 1992-1-1 6.4.4(2): the demands within 2 d, and their table.
+"""Punching at ends and corners of walls by EN 1992-1-1 6.4.4(2): the demands within 2 d.
 
 EN 1992-1-1 has no figure for them. Perimeters and beta are those of DIN EN 1992-1-1/NA (Figures NA.6.12.1, NA.6.21.1)
 with every annex. At the face nothing is judged: what presses there on the slab goes straight down in part.
@@ -13,12 +13,11 @@ import numpy as np
 
 from groundslab.arrays import made_once
 from groundslab.design.codes.en1992_2004 import punching as en1992
-from groundslab.design.codes.en1992_2004.checks.punching_demand import Demand, Demands, Stress
+from groundslab.design.codes.en1992_2004.checks.punching_demand import Demand, Stress
 from groundslab.design.codes.en1992_2004.materials_of_case import materials
 from groundslab.design.codes.en1992_2004.perimeters import openings, share_of_thinner
-from groundslab.design.rules.punching import Heads, PunchingColumns
+from groundslab.design.rules.punching import Demands
 from groundslab.design.rules.wall_ends import WallPunching, punching_walls
-from groundslab.messages import Message
 from groundslab.model.design.laid_bars import punching_ratio
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.results import Results
@@ -27,11 +26,6 @@ from groundslab.results.results import Results
 #: not that of a slab.
 STEPS = np.arange(4, 17) / 8
 
-_HEADS: Heads = (
-    ("d", "mm"), ("a", "m"), ("V_Ed at a", "kN"), ("u at a", "m"), ("beta", ""), ("v_Ed at a", "MPa"),
-    ("v_Rd at a", "MPa"), ("v_Ed / v_Rd", ""),
-)  # fmt: skip
-
 
 def at_ends(combined: Results, steel: Reinforcement) -> Iterator[WallPunching]:
     """Yield what punches at ends and corners of walls in all ultimate combinations."""
@@ -39,11 +33,11 @@ def at_ends(combined: Results, steel: Reinforcement) -> Iterator[WallPunching]:
 
 
 @made_once
-def wall_demands(combined: Results) -> Demands:
+def wall_demands(combined: Results) -> Demands[Demand]:
     """Return the demands of punching at ends and corners of walls in all ultimate combinations, if bars are given."""
     steel = combined.model.reinforcement
     if steel is None:
-        return Demands({}, {}, {}, {})
+        return Demands()
     model = combined.model
     some = [*at_ends(combined, steel)]
     sites = {(each.site.end.name, each.site.pulls): each.site for each in some}
@@ -54,8 +48,7 @@ def wall_demands(combined: Results) -> Demands:
         for key, site in sites.items()
     }
     demands = [_demand(each, steel, ratios[each.site.end.name, each.site.pulls]) for each in some]
-    found = {(demand.combination, demand.name): demand for demand in demands}
-    return Demands(found, {}, {name: site.end.place for (name, _), site in sites.items()}, {})
+    return Demands({(demand.combination, demand.name): demand for demand in demands})
 
 
 def _demand(punching: WallPunching, steel: Reinforcement, ratio: float) -> Demand:
@@ -74,36 +67,4 @@ def _demand(punching: WallPunching, steel: Reinforcement, ratio: float) -> Deman
     )  # fmt: skip
     force = float(punching.V[-1])
     about = site.end.name, results.combination, results.limit_state, force, site.d
-    return Demand(*about, v_Rd_c, None, around, ratio, site.pulls)
-
-
-def at_walls(combined: Results, _: Reinforcement) -> PunchingColumns:
-    """Return what the table of punching at ends and corners of walls has."""
-    punched = wall_demands(combined)
-    return PunchingColumns(
-        _HEADS,
-        lambda combination, name: _cells(punched.found.get((combination, name))),
-        (
-            Message(
-                "Punching by EN 1992-1-1 6.4.4(2), in ultimate combinations: V_Ed is the shear force of the slab "
-                "across the perimeter at the distance a from the wall's faces, {steps:g} d to 2 d, at which v_Ed "
-                "/ v_Rd is largest. v_Ed = beta V_Ed / (u d), v_Rd = v_Rd,c 2 d / a with the bars provided or "
-                "the largest ratio that counts.",
-                steps=STEPS[0],
-            ),
-            "Perimeters and beta, 1.35 at ends and 1.20 at corners, are those of DIN EN 1992-1-1/NA, Figures NA.6.12.1 "
-            "and NA.6.21.1, with every annex: quarter circles, straight pieces across the end and a_1 / 2 along both "
-            "sides; at corners those along the outer faces.",
-        ),
-    )
-
-
-def _cells(demand: Demand | None) -> list[float | None]:
-    """Return the figures of a demand, in the order of the table; nothing where nothing punches."""
-    stress = demand.governing if demand is not None else None
-    if demand is None or stress is None:
-        return [None] * len(_HEADS)
-    return [
-        demand.d * 1e3, stress.distance, stress.V_Ed / 1e3, stress.u, stress.beta, stress.v_Ed / 1e6,
-        demand.resistance(stress) / 1e6, demand.used(stress),
-    ]  # fmt: skip
+    return Demand(*about, v_Rd_c, None, around, ratio, site.pulls, site.end.place)

@@ -25,9 +25,9 @@ def reach(combined: Results) -> Reach:
 
     Those whose perimeters cut the slab from edge to edge are checked in shear from there on (8.2.2(1)).
     """
-    of_columns = punching_columns(combined.solved_model), column_demands(combined)[1]
-    of_piles = punching_piles(combined.model), pile_demands(combined)[1]
-    return reach_without(combined, of_columns, of_piles, (zone_forces(combined), zone_demands(combined)[1]))
+    of_columns = punching_columns(combined.solved_model), column_demands(combined).missing
+    of_piles = punching_piles(combined.model), pile_demands(combined).missing
+    return reach_without(combined, of_columns, of_piles, (zone_forces(combined), zone_demands(combined).missing))
 
 
 def resistance(steel: Reinforcement, limit_state: str, d: Array, rho: Array) -> Array:

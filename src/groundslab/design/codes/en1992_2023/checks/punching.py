@@ -3,27 +3,17 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
+from functools import partial
 from typing import NamedTuple
 
 from groundslab.design.codes.en1992_2023 import punching as en1992
-from groundslab.design.codes.en1992_2023.checks.critical_sections import CUT
-from groundslab.design.codes.en1992_2023.checks.punching_demand import (
-    Demands,
-    Punching,
-    column_demands,
-    pile_demands,
-    zone_demands,
-)
-from groundslab.design.codes.en1992_2023.checks.wall_ends import wall_demands
+from groundslab.design.codes.en1992_2023.checks.punching_demand import Punching
 from groundslab.design.codes.en1992_2023.materials_of_case import materials
-from groundslab.design.demands.perimeter_loads import punching_piles
-from groundslab.design.demands.zones.thicker_zones import NONE, zone_forces
 from groundslab.design.rules.check import DesignCheck, Status
 from groundslab.design.rules.demand_errors import error_of_ratio, scaled
-from groundslab.design.rules.punching import judged, with_the_rest, with_way
+from groundslab.design.rules.punching import PUNCHING, Aspect, Demands
 from groundslab.design.rules.punching_links.demand import LinkDemand, Support
-from groundslab.design.rules.wall_ends import NO_WALL, loaded_ends
 from groundslab.messages import Message, Name
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.results import Results
@@ -66,49 +56,26 @@ def outermost_depth(demand: Punching, steel: Reinforcement) -> float:
     return demand.section.out if demand.section is not None else demand.d - sum(steel.top_axes) / 2
 
 
-def checks(combined: Results) -> Iterator[DesignCheck]:
-    """Yield the checks of punching over all ultimate combinations."""
-    steel = combined.model.reinforcement
-    assert steel is not None
-    if combined.model.columns:
-        yield from _checks(steel, column_demands(combined), "punching", ("column", "no column pushes or pulls"))
-    if punching_piles(combined.model):
-        yield from _checks(steel, pile_demands(combined), "punching over piles", ("pile", "no pile pushes or pulls"))
-    if zone_forces(combined):
-        yield from _checks(steel, zone_demands(combined), "punching around thicker zones", ("thicker zone", NONE))
-    if loaded_ends(combined.model):
-        yield from _checks(steel, (wall_demands(combined), {}), "punching at walls' ends", ("wall end", NO_WALL))
+def aspects(support: Support, demands: Demands[Punching], steel: Reinforcement) -> Iterator[Aspect]:
+    """Yield what is judged: the critical section at d_v / 2."""
+    worst = partial(_worst, steel=steel, name=PUNCHING[support])
+    yield Aspect(PUNCHING[support], demands.found.values(), used, worst)
 
 
-def links(combined: Results, _: Reinforcement) -> Iterator[LinkDemand]:
-    """Yield the columns, piles, zones and ends of walls that need links, with the reason why these are not laid out."""
-    if combined.model.columns:
-        yield from _needing("column", column_demands(combined)[0].values())
-    if punching_piles(combined.model):
-        yield from _needing("pile", pile_demands(combined)[0].values())
-    yield from _needing("zone", zone_demands(combined)[0].values())
-    if loaded_ends(combined.model):
-        yield from _needing("wall end", wall_demands(combined).values())
+def used(demand: Punching, _: Reinforcement | None = None) -> float:
+    """Return tau_Ed over what needs no links."""
+    return demand.used
 
 
-def _needing(support: Support, demands: Iterable[Punching]) -> Iterator[LinkDemand]:
-    """Yield those of some demands that need links, each by the combination that needs most."""
+def links(_: Results, __: Reinforcement, support: Support, demands: Demands[Punching]) -> Iterator[LinkDemand]:
+    """Yield those that need links, each by the combination that needs most, and why these are not laid out."""
     worst: dict[str, Punching] = {}
-    for demand in demands:
+    for demand in demands.found.values():
         least = worst[demand.name].used if demand.name in worst else 1.0
         if not demand.supported and demand.used > least:
             worst[demand.name] = demand
     for demand in worst.values():
         yield LinkDemand(support, demand.name, demand.place, demand.combination, "EN 1992-1-1:2023 8.4.4", NO_LAYOUT)
-
-
-def _checks(steel: Reinforcement, demands: Demands, name: str, pushing: tuple[str, str]) -> Iterator[DesignCheck]:
-    """Yield the check of those that push, and which of them it leaves out."""
-    known, missing = demands
-    one, none = pushing
-    those, supported = judged(known.values(), lambda demand: demand.used)
-    check = with_way(_worst(those, steel, name), known) if those else None
-    yield from with_the_rest(check, name, (f"{one}s", none, CUT), supported, missing)
 
 
 def _worst(judged: list[Punching], steel: Reinforcement, name: str) -> DesignCheck:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import partial
 
@@ -17,9 +17,11 @@ from groundslab.design.demands import perimeter_loads
 from groundslab.design.demands.by_plate import plate_under
 from groundslab.design.demands.perimeter_loads import PerimeterLoads, Places, PunchingForce, PunchingShear
 from groundslab.design.demands.perimeter_shear import contraflexure
+from groundslab.design.demands.perimeters import SketchedPerimeter
 from groundslab.design.demands.zones.thicker_zones import zone_forces
 from groundslab.design.rules.combinations import ultimate_results
 from groundslab.design.rules.demand_errors import error_of, scaled
+from groundslab.design.rules.punching import Demands
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.model.model import Model
 from groundslab.results.results import CombinationResult, Results
@@ -64,6 +66,11 @@ class Punching:
     pulls: bool = False  # whether a column pulls up, or a pile down
 
     @property
+    def sketch(self) -> SketchedPerimeter | None:
+        """Return the critical section of a column or pile."""
+        return None if self.section is None else self.section.sketch
+
+    @property
     def resistance(self) -> float:
         """Return the stress that needs no links [Pa]: tau_Rd,c, or tau_Rdc,min (8.4.1(2))."""
         return max(self.tau_Rd_c, self.tau_min)
@@ -87,40 +94,38 @@ def _sections(results: CombinationResult, model: Model) -> Places[CriticalSectio
     return {}
 
 
-#: Demands by combination and name, and why some have none, by name.
-Demands = tuple[dict[tuple[str, str], Punching], Mapping[str, str]]
-
-
 @made_once
-def column_demands(combined: Results) -> Demands:
+def column_demands(combined: Results) -> Demands[Punching]:
     """Return the demands at columns."""
     return _of_kind(combined, perimeter_loads.punching_columns(combined.solved_model))
 
 
 @made_once
-def pile_demands(combined: Results) -> Demands:
+def pile_demands(combined: Results) -> Demands[Punching]:
     """Return the demands over piles."""
     return _of_kind(combined, perimeter_loads.punching_piles(combined.model))
 
 
 @made_once
-def zone_demands(combined: Results) -> Demands:
+def zone_demands(combined: Results) -> Demands[Punching]:
     """Return the demands around thicker zones with columns on them."""
     return _demands(combined, zone_forces(combined), perimeter_loads.punching_columns(combined.solved_model))
 
 
-def _of_kind(combined: Results, forces: tuple[PunchingForce, ...]) -> Demands:
+def _of_kind(combined: Results, forces: tuple[PunchingForce, ...]) -> Demands[Punching]:
     """Return the demands of columns, or of piles."""
     return _demands(combined, forces, forces)
 
 
-def _demands(combined: Results, forces: tuple[PunchingForce, ...], others: tuple[PunchingForce, ...]) -> Demands:
+def _demands(
+    combined: Results, forces: tuple[PunchingForce, ...], others: tuple[PunchingForce, ...]
+) -> Demands[Punching]:
     """Return the demands of forces that punch the plate; others may act close to them."""
     model, steel = combined.model, combined.model.reinforcement
     found: dict[tuple[str, str], Punching] = {}
     missing: dict[str, str] = {}
     if steel is None:
-        return found, missing
+        return Demands()
     results = ultimate_results(combined)
     make = partial(critical_section, steel=steel)
     for punching, section, pushing in perimeter_loads.pushing_forces(results, forces, model, (_sections, make)):
@@ -130,7 +135,7 @@ def _demands(combined: Results, forces: tuple[PunchingForce, ...], others: tuple
         for result in pushing:
             demand = _demand(result, section, (punching, others), steel)
             perimeter_loads.add_worse(found, (result.combination, punching.name), demand, lambda each: each.used)
-    return found, missing
+    return Demands(found, missing)
 
 
 def _demand(

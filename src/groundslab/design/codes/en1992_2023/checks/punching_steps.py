@@ -5,87 +5,37 @@ Every value is that of the check; formulas stand beside the functions that compu
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from math import isfinite
 
 from groundslab.design.codes.en1992_2023 import punching as en1992
 from groundslab.design.codes.en1992_2023.checks.concrete_steps import in_shear
 from groundslab.design.codes.en1992_2023.checks.critical_sections import CriticalSection
 from groundslab.design.codes.en1992_2023.checks.punching import links_needed, outermost_depth
-from groundslab.design.codes.en1992_2023.checks.punching_demand import (
-    Punching,
-    column_demands,
-    pile_demands,
-    zone_demands,
-)
-from groundslab.design.codes.en1992_2023.checks.wall_ends import wall_demands
+from groundslab.design.codes.en1992_2023.checks.punching_demand import Punching
 from groundslab.design.codes.en1992_2023.materials_of_case import materials
-from groundslab.design.rules.calculation import MEGA, Pushing, Step, punching_force
-from groundslab.design.rules.design_code import Calculation
+from groundslab.design.rules.calculation import MEGA, Step, punching_force
+from groundslab.design.rules.punching_links.demand import Support
 from groundslab.messages import Message
 from groundslab.model.design.reinforcement import Reinforcement
-from groundslab.results.results import Results
 
 F = en1992.FORMULAS
 
 
-def at_columns(combined: Results, steel: Reinforcement) -> Iterator[Calculation]:
-    """Yield the governing combination of each column with its steps; those that use most come first."""
-    return _governing(column_demands(combined)[0], steel, "column")
-
-
-def over_piles(combined: Results, steel: Reinforcement) -> Iterator[Calculation]:
-    """Yield the governing combination of each pile with its steps; those that use most come first."""
-    return _governing(pile_demands(combined)[0], steel, "pile")
-
-
-def around_zones(combined: Results, steel: Reinforcement) -> Iterator[Calculation]:
-    """Yield the governing combination of each thicker zone with its steps; those that use most come first."""
-    return _governing(zone_demands(combined)[0], steel, "zone")
-
-
-def at_walls(combined: Results, steel: Reinforcement) -> Iterator[Calculation]:
-    """Yield the governing combination of each end and corner of walls with its steps; those that use most first."""
-    return _governing(wall_demands(combined), steel, None)
-
-
-#: The calculations by their names.
-STEPS = (
-    ("punching", at_columns),
-    ("punching over piles", over_piles),
-    ("punching around thicker zones", around_zones),
-    ("punching at walls' ends", at_walls),
-)
-
-
-def _governing(
-    demands: Mapping[tuple[str, str], Punching], steel: Reinforcement, one: Pushing | None
-) -> Iterator[Calculation]:
-    """Yield name, combination and steps where each uses most of its resistance; nothing pushes alone at walls."""
-    governing: dict[str, Punching] = {}
-    for demand in demands.values():
-        known = governing.get(demand.name)
-        if demand.used > (0.0 if known is None else known.used):
-            governing[demand.name] = demand
-    for demand in sorted(governing.values(), key=lambda each: -each.used):
-        sketch = None if demand.section is None else demand.section.sketch
-        yield Calculation(demand.name, demand.combination, tuple(_steps(demand, steel, one)), sketch)
-
-
-def _steps(demand: Punching, steel: Reinforcement, one: Pushing | None) -> Iterator[Step]:
+def steps(demand: Punching, steel: Reinforcement, support: Support) -> Iterator[Step]:
     """Yield the steps of a demand."""
     concrete, bars = materials(steel, demand.limit_state)
-    if one is None:
+    if support == "wall end":
         yield Step("shear force of the slab across the perimeter", "V_Ed", demand.V_Ed / MEGA, "MN", clause="8.4.2(6)")
     else:
         inside = demand.force, demand.others, demand.pressure, demand.edge
-        yield from punching_force((one, demand.pulls), ("N_Ed", "V_Ed"), inside, demand.V_Ed, "8.4.2(6)")
+        yield from punching_force((support, demand.pulls), ("N_Ed", "V_Ed"), inside, demand.V_Ed, "8.4.2(6)")
     yield Step("effective depth", "d_v", demand.d, "m", clause="8.4.2(1), 8.91")
     yield Step("perimeter at d_v / 2 that counts", "b_05", demand.b_05, "m", clause="8.4.2(2) to (5)")
     if demand.section is None:
         yield Step("factor for an end or a corner", "beta_e", demand.beta_e or 0.0, clause="Figure 8.21")
     else:
-        yield from _beta(demand, demand.section, one or "column")
+        yield from _beta(demand, demand.section, support)
     yield from _stress(demand)
     yield from in_shear(concrete, bars, demand.d, "d_v")
     yield Step("perimeter at the face that counts", "b_0", demand.b_0, "m", clause="8.4.3(1), Figure 8.18")
@@ -103,7 +53,7 @@ def _steps(demand: Punching, steel: Reinforcement, one: Pushing | None) -> Itera
         yield from _links(demand, steel)
 
 
-def _beta(demand: Punching, section: CriticalSection, one: Pushing) -> Iterator[Step]:
+def _beta(demand: Punching, section: CriticalSection, one: Support) -> Iterator[Step]:
     """Yield how beta_e follows from the support's eccentricity, or what moments add where nothing pushes."""
     if demand.beta_e is None:
         for n, M, width in zip((1, 2), demand.eccentricities, section.widths, strict=True):

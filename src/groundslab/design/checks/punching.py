@@ -1,0 +1,48 @@
+"""Punching by the code of the case: what is judged, what is not, and the calculation of what uses most."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+from groundslab.design.codes.registry import code_of
+from groundslab.design.rules.check import DesignCheck
+from groundslab.design.rules.design_code import Calculation
+from groundslab.design.rules.punching import CALLED, PUNCHING, judged, punching_supports, with_the_rest, with_way
+from groundslab.results.results import Results
+
+
+def checks(combined: Results) -> Iterator[DesignCheck]:
+    """Yield the checks of punching over all ultimate combinations; none without reinforcement, or rules for it."""
+    steel = combined.model.reinforcement
+    rule = None if steel is None else code_of(steel).punching
+    if steel is None or rule is None:
+        return
+    for support in punching_supports(combined):
+        demands = rule.demands[support](combined)
+        for aspect in rule.aspects(support, demands, steel):
+            those, supported = judged(aspect.demands, aspect.used)
+            check = with_way(aspect.worst(those), demands.found) if those else None
+            if check is None and not supported and demands.missing and not aspect.says_missing:
+                continue  # another aspect says why there is none
+            missing = demands.missing if aspect.says_missing else {}
+            yield from with_the_rest(check, aspect.name, (*CALLED[support], rule.cut), supported, missing)
+
+
+def calculations(combined: Results) -> Iterator[tuple[str, list[Calculation]]]:
+    """Yield the name of each way to punch with the governing combinations of all that does; what uses most is first."""
+    steel = combined.model.reinforcement
+    rule = None if steel is None else code_of(steel).punching
+    if steel is None or rule is None:
+        return
+    for support in punching_supports(combined):
+        governing: dict[str, tuple[float, Any]] = {}
+        for demand in rule.demands[support](combined).found.values():
+            used = rule.used(demand, steel)
+            if used > governing.get(demand.name, (0.0,))[0]:
+                governing[demand.name] = used, demand
+        of_way = [
+            Calculation(demand.name, demand.combination, tuple(rule.steps(demand, steel, support)), demand.sketch)
+            for _, demand in sorted(governing.values(), key=lambda each: -each[0])
+        ]
+        yield PUNCHING[support], of_way
