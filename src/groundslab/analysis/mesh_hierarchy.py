@@ -57,7 +57,7 @@ class Solved:
 def uniform_mesh(model: Model, elements: int) -> Wanted:
     """Return what asks for elements of one size, about so many on all plates."""
     area = sum(math.prod(plate.sides) for plate in model.every_plate)
-    return model.mesh.replace(size=math.sqrt(area / elements), counts=None, refine=())
+    return model.mesh.replace(size=math.sqrt(area / elements), counts=None, max_unknowns=None, refine=())
 
 
 def direction(factors: Array) -> bytes:

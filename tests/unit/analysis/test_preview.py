@@ -54,6 +54,12 @@ def test_further_plates_count() -> None:
     assert len(found.only.plate.elements) <= 3 * PREVIEW_ELEMENTS
 
 
+def test_a_limit_of_unknowns_is_of_meshes_that_are_refined() -> None:
+    """It is left out, as the preview's mesh is given, which has no such limit."""
+    limited, free = (solve_preview(model(mesh=mesh), "") for mesh in ({"max_unknowns": 100_000}, {}))
+    assert limited.only.plate.settlement.max() == free.only.plate.settlement.max()
+
+
 def test_no_equilibrium_is_no_error() -> None:
     """The combination is refused, and the run that follows says why."""
     lifted = model(loads=[{"kind": "uniform", "q": -5e3, "case": "G"}])
