@@ -1,5 +1,5 @@
 // The workbench's page: model on the left, result on the right.
-import { say } from "../viewer/shared/language";
+import { chosenLanguage, say } from "../viewer/shared/language";
 import { startTheme } from "../viewer/shared/theme";
 import "../viewer/shared/theme.css";
 import { h, setText } from "../viewer/shared/dom";
@@ -51,7 +51,7 @@ const stop = store.on(["doc"], () => {
   // the first text may still be being read
   if (store.doc?.data === null && store.doc.checking) return;
   stop();
-  void speak(api, store).then(() => {
+  void speak(api, store, () => connection.start()).then(() => {
     if (store.doc?.view !== undefined) buildView(api, store, connection);
     else buildPage(api, store, queue, connection, resolveOffer);
   });
@@ -63,4 +63,5 @@ store.on(["connection"], () => {
   const silent = "The server is not responding. Start it with: groundslab app";
   setText(cover, store.connection === "unauthorized" ? invalid : silent);
 });
+document.documentElement.lang = chosenLanguage(null);
 await connection.start();

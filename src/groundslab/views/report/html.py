@@ -226,9 +226,13 @@ def read_asset(name: str) -> str:
 
 def _scene(combined: Results) -> tuple[str, Mapping[str, Any]]:
     """Return the scene as text and its head; as few combinations as exceed the size have no fields in it."""
+    translate = translator_of(combined)
     most = len(combined.combinations)
     while True:
         scene = scene_of(combined, most)
+        for combination in scene.head["combinations"]:
+            if combination["refused"] is not None:
+                combination["refused"] = translate(combination["refused"])
         text = base64.b64encode(gzip.compress(pack(scene), 6, mtime=0)).decode()
         if len(text) <= MOST_DATA or most <= 1:
             return text, scene.head

@@ -324,8 +324,13 @@ function fillCombinations(select: HTMLSelectElement, scene: Scene, offerRefused:
   );
   const options = combinations.map((each, i) => {
     const empty = each.values === null;
-    const attributes = { value: i, disabled: empty && !offerRefused, "data-empty": empty, title: each.refused ?? "" };
-    return h("option", attributes, verbatim(combinationName(scene, each) + translate(remarkOn(each, leftOut))));
+    const attributes = {
+      value: i,
+      disabled: empty && !offerRefused,
+      "data-empty": empty,
+      title: verbatim(each.refused ?? ""),
+    };
+    return h("option", attributes, verbatim(combinationName(scene, each) + remarkOn(each, leftOut)));
   });
   if (!envelopes.length) return fill(select, ...options);
   fill(
@@ -338,7 +343,7 @@ function fillCombinations(select: HTMLSelectElement, scene: Scene, offerRefused:
 /** Return what is to be said of a combination beside its name. */
 function remarkOn({ name, refused, values, certified }: Combination, leftOut: readonly string[]): string {
   // the kind of failure stands before the reason
-  if (refused !== null) return ` (${refused.split(":", 1)[0]!.toLowerCase()})`;
-  if (values === null) return leftOut.includes(name) ? " (left out)" : " (no values)";
-  return certified ? "" : " (not certified)";
+  if (refused !== null) return ` (${refused.split(":", 1)[0]!.trim().toLowerCase()})`;
+  if (values === null) return ` ${translate(leftOut.includes(name) ? "(left out)" : "(no values)")}`;
+  return certified ? "" : ` ${translate("(not certified)")}`;
 }

@@ -222,7 +222,7 @@ export class SectionChart {
     ];
     const number = isEnvelope(peak.choice) ? undefined : scene.head.combinations[peak.choice]?.number;
     const from = choices.length > 1 && number !== undefined ? ` (${number})` : "";
-    const text = translate(`${word} ${formatNumber(peak.value)}`) + from;
+    const text = `${translate(word)} ${translate(formatNumber(peak.value))}${from}`;
     ctx.font = `600 ${12 * dot}px ${FONT}`;
     ctx.lineJoin = "round";
     ctx.textAlign = "left";

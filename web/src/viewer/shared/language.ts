@@ -48,6 +48,16 @@ export function together(texts: readonly string[], mark = " "): string {
   return keep(texts.filter(Boolean).map(translate).join(mark));
 }
 
+/** Return the language of the page, which the server answers in. */
+export function pageLanguage(): string {
+  return globalThis.document?.documentElement.lang || "en";
+}
+
+/** Return several possibilities: "a or b". */
+export function either(texts: readonly string[]): string {
+  return texts.reduce((one, other) => say("{one} or {other}", { one, other }));
+}
+
 /** Take the messages of the page's language, null for English; call before the page is built. */
 export function setMessages(messages: Messages | null): void {
   catalogue = messages && new Catalogue(messages);

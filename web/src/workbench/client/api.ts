@@ -1,7 +1,7 @@
 // The server's HTTP interface.
 
 import type { Messages } from "../../viewer/shared/catalogue";
-import { say } from "../../viewer/shared/language";
+import { pageLanguage, say } from "../../viewer/shared/language";
 import type { CaseSums, UsualFactors } from "../model/changes/load-cases";
 import type { Change } from "../model/edits";
 import { type Issue, issueLine, type Remark } from "../model/issues";
@@ -317,7 +317,7 @@ export class HttpApi {
   };
   /** The case as it is now as a SAF file. */
   saf = () => this.file("saf");
-  eventsAddress = () => `api/events?token=${encodeURIComponent(this.token)}`;
+  eventsAddress = () => `api/events?${new URLSearchParams({ token: this.token, language: pageLanguage() })}`;
 
   /** A file with the name that the server gives it, and what it says of it; making it may take minutes. */
   private async file(name: string): Promise<MadeFile> {
@@ -333,7 +333,7 @@ export class HttpApi {
   }
 
   private async request(name: string, body?: object, patience = PATIENCE): Promise<Response> {
-    const headers = new Headers({ "X-Groundslab-Token": this.token });
+    const headers = new Headers({ "X-Groundslab-Token": this.token, "X-Groundslab-Language": pageLanguage() });
     if (body) headers.set("Content-Type", "application/json");
     const content = body ? { method: "POST", body: JSON.stringify(body) } : {};
     const signal = AbortSignal.timeout(patience);

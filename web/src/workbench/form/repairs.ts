@@ -1,7 +1,7 @@
 // Buttons that repair an issue, where its repair is known.
 
 import { button, h } from "../../viewer/shared/dom";
-import { say } from "../../viewer/shared/language";
+import { keep, say, translate } from "../../viewer/shared/language";
 import type { Change } from "../model/edits";
 import type { Issue } from "../model/issues";
 
@@ -14,7 +14,7 @@ export function repairButtons(issue: Issue, push: Push, done: () => void): HTMLE
   if (repairs.length === 0) return null;
   const buttons = repairs.map(({ label, edits }) => {
     const choose = () => {
-      push({ edits, text: `${label}${location ? ` (${location})` : ""}` });
+      push({ edits, text: keep(`${translate(label)}${location ? ` (${location})` : ""}`) });
       done();
     };
     return button(capitalize(label), say("Fix {location}: {label}", { location, label }), choose, "small");

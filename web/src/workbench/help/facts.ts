@@ -1,5 +1,5 @@
 // What is known of a field: its meaning, unit, range and default, from the schema of the case file.
-import { say, translate } from "../../viewer/shared/language";
+import { either, say, translate } from "../../viewer/shared/language";
 import { defaultText, hintOf, labelOf } from "../form/labels";
 import { type Json, type Path, type Table, valueAt } from "../model/paths";
 import { exampleOf, type Field, type Node, type Part, type Schema } from "../model/schema";
@@ -51,18 +51,18 @@ function writtenDefault(value: Json | undefined): string {
 function kindOfValue(node: Node, data: Table): string {
   switch (node.is) {
     case "quantity":
-      return [
+      return either([
         say("{dimension}, such as {example}", { dimension: node.dimension, example: exampleOf(node, data) }),
         ...node.options,
-      ].join(" or ");
+      ]);
     case "choice":
       return node.options.join(", ");
     case "choices":
       return say("any of {options}", { options: node.options.join(", ") });
     case "number":
-      return ["number", ...node.options].join(" or ");
+      return either(["number", ...node.options]);
     case "integer":
-      return ["whole number", ...node.options].join(" or ");
+      return either(["whole number", ...node.options]);
     case "boolean":
       return "true or false";
     case "tuple":

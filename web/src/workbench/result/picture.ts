@@ -135,7 +135,7 @@ export class Picture {
     fill(
       this.refused,
       h("h3", {}, say("{name} has no solution", { name: verbatim(one?.name ?? "") })),
-      h("p", {}, one?.refused ?? ""),
+      h("p", {}, verbatim(one?.refused ?? "")),
     );
   }
 

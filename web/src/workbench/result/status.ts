@@ -1,7 +1,7 @@
 // The line above the result: what it is of, whether it is up to date, what the solver is doing.
 
 import { type Child, fill, h, setText } from "../../viewer/shared/dom";
-import { counted, say, together, translate } from "../../viewer/shared/language";
+import { counted, keep, say, together, verbatim } from "../../viewer/shared/language";
 import type { Run, Solved, Store } from "../client/store";
 import { issueLine } from "../model/issues";
 import { type Freshness, freshness } from "./standing";
@@ -17,9 +17,12 @@ export function statusText(
   const old = fresh === "stale" ? "These results are for an earlier version of the model." : "";
   switch (run.kind) {
     case "solving":
-      return together([old, run.text ? say("Solving: {what}", { what: run.text }) : "Solving …"]);
+      return together([old, run.text ? say("Solving: {what}", { what: verbatim(run.text) }) : "Solving …"]);
     case "refused":
-      return together([old, say("Not solved: {why}", { why: run.message || "the model has errors" })]);
+      return together([
+        old,
+        say("Not solved: {why}", { why: run.message ? verbatim(run.message) : "the model has errors" }),
+      ]);
     case "cancelled":
       // by an edit, whose own run follows
       if (fresh === "stale" && autosolve) return old;
@@ -29,7 +32,7 @@ export function statusText(
       if (fresh === "stale" && issues > 0)
         return together([old, counted(issues, "Fix the error to update them.", "Fix the errors to update them.")]);
       if (fresh === "stale") return autosolve ? old : together([old, "Solve to update them."]);
-      return together([solved?.design ?? "", originText(solved?.seconds ?? null)]);
+      return together([keep(solved?.design ?? ""), originText(solved?.seconds ?? null)]);
   }
 }
 
@@ -51,7 +54,7 @@ export function statusLine(store: Store): HTMLElement {
     const { run, solved, doc } = store;
     const fresh = freshness(solved, store);
     setText(words, statusText(fresh, run, solved, store.autosolve, doc?.issues.length ?? 0));
-    const details = run.kind === "solving" ? translate(run.details ?? "") : "";
+    const details = run.kind === "solving" ? (run.details ?? "") : "";
     words.title = [words.textContent, details].filter(Boolean).join("\n");
     const failing = fresh === "fresh" && Boolean(solved?.design);
     element.dataset.state =

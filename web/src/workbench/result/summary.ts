@@ -2,7 +2,7 @@
 
 import { formatNumber } from "../../viewer/data/numbers";
 import { button, fill, h } from "../../viewer/shared/dom";
-import { say, together } from "../../viewer/shared/language";
+import { keep, say, together, verbatim } from "../../viewer/shared/language";
 import { symbolElement } from "../../viewer/shared/symbols";
 import type { CombinationSummary, DesignCheck, Summary, SummaryRow } from "../client/api";
 import type { Json } from "../model/paths";
@@ -17,14 +17,19 @@ function designOf(summary: Summary | null): HTMLElement[] {
     h(
       "tr",
       { class: check.status === "fails" ? "bad" : "" },
-      h("th", { scope: "row" }, check.name),
+      h("th", { scope: "row" }, verbatim(check.name)),
       h("td", {}, check.utilisation === null ? "" : check.utilisation.toFixed(2)),
       h("td", { class: "unit" }, betweenText(check)),
-      h("td", { class: "note" }, check.words, hangs(check) ? h("strong", {}, ` ${check.verdict}`) : ""),
+      h(
+        "td",
+        { class: "note" },
+        verbatim(check.words),
+        hangs(check) ? h("strong", {}, verbatim(` ${check.verdict}`)) : "",
+      ),
     ),
   );
   return [
-    h("p", { class: open ? "verdict bad" : hanging ? "verdict doubtful" : "quiet" }, design.headline),
+    h("p", { class: open ? "verdict bad" : hanging ? "verdict doubtful" : "quiet" }, verbatim(design.headline)),
     ...(rows.length ? [h("table", { class: "figures" }, h("tbody", {}, ...rows))] : []),
   ];
 }
@@ -49,21 +54,21 @@ export function showSummary(
   const design = designOf(summary);
   if (!one) return fill(element, ...design, h("p", { class: "empty" }, "Choose a combination to see its figures."));
   if (one.refused !== null)
-    return fill(element, ...design, h("p", { class: "verdict bad" }, `${one.name}: ${one.refused}`));
+    return fill(element, ...design, h("p", { class: "verdict bad" }, verbatim(`${one.name}: ${one.refused}`)));
   const sections = one.sections.map(({ title, rows, notes }) =>
     h(
       "section",
       {},
-      h("h3", {}, title),
+      h("h3", {}, verbatim(title)),
       h("table", { class: "figures" }, h("tbody", {}, ...rows.map(makeSummaryRow))),
-      ...notes.map((note) => h("p", { class: "quiet" }, note)),
+      ...notes.map((note) => h("p", { class: "quiet" }, verbatim(note))),
     ),
   );
   fill(element, ...design, h("div", { class: "summary-sections" }, ...sections));
 }
 
 function makeSummaryRow({ label, symbol, value, unit, note }: SummaryRow): HTMLElement {
-  const name = symbol ? [label, " ", symbolElement(symbol)] : [label];
+  const name = symbol ? [verbatim(label), " ", symbolElement(symbol)] : [verbatim(label)];
   const figure = typeof value === "number" ? formatNumber(value) : (value ?? "");
   return h(
     "tr",
@@ -71,7 +76,7 @@ function makeSummaryRow({ label, symbol, value, unit, note }: SummaryRow): HTMLE
     h("th", { scope: "row" }, ...name),
     h("td", {}, figure),
     h("td", { class: "unit" }, unit),
-    h("td", { class: "note" }, note),
+    h("td", { class: "note" }, verbatim(note)),
   );
 }
 
@@ -108,7 +113,7 @@ export function showCertificates(element: HTMLElement, summary: Summary | null, 
     const name = button(one.name || say("combination {number}", { number: n + 1 }), "", () => choose(n), "link");
     const figures =
       verdict === "refused"
-        ? [h("td", { class: "why", colspan: Math.max(1, keys.length) }, one.refused ?? "")]
+        ? [h("td", { class: "why", colspan: Math.max(1, keys.length) }, verbatim(one.refused ?? ""))]
         : keys.map((key) => {
             const className = isTooLarge(one, key) ? "figure too-large" : "figure";
             return h("td", { class: className }, formatFigure(one.certificate?.[key]));
@@ -129,8 +134,8 @@ function makeVerdict({ combinations: all, coarse = "", unknown = false }: Summar
     "{whose} certified: equilibrium and contact conditions are satisfied on this mesh. This is not a design approval.",
     { whose },
   );
-  if (bad === 0 && unknown) return h("p", { class: "verdict bad" }, coarse);
-  if (bad === 0 && coarse) return h("p", { class: "verdict doubtful" }, together([good, coarse]));
+  if (bad === 0 && unknown) return h("p", { class: "verdict bad" }, verbatim(coarse));
+  if (bad === 0 && coarse) return h("p", { class: "verdict doubtful" }, together([good, keep(coarse)]));
   if (bad === 0) return h("p", { class: "verdict good" }, good);
   const some = say("{bad} of {all} combinations have no usable result.", { bad, all: all.length });
   return h("p", { class: "verdict bad" }, all.length === 1 ? "Do not use this result." : some);

@@ -1,5 +1,5 @@
 // The rows of a table: sorted, filtered, as text. No elements here.
-import { translate } from "../../viewer/shared/language";
+import { ALL_LOADS, translate } from "../../viewer/shared/language";
 import type { ResultTable, TableCell, TableHead } from "../client/api";
 import { headWidth } from "../controls/virtual-rows";
 
@@ -10,6 +10,12 @@ export interface Sorting {
 
 export function textOf(cell: TableCell | undefined): string {
   return (typeof cell === "string" ? cell : cell?.[0]) ?? "";
+}
+
+/** Return what is shown of a cell: a number with a decimal comma, the words of the server as they are. */
+export function shownText(cell: TableCell | undefined, head: TableHead | undefined): string {
+  const text = textOf(cell);
+  return head?.number || text === ALL_LOADS ? translate(text) : text;
 }
 
 /** Return the number that a cell shows, NaN if it shows none. */
@@ -23,8 +29,7 @@ export function numberOf(cell: TableCell | undefined): number {
 export function arrangeRows({ rows, heads }: ResultTable, filter: string, sorting: Sorting | null): number[] {
   const words = filter.toLowerCase().split(/\s+/).filter(Boolean);
   const holds = (row: readonly TableCell[]) => {
-    const texts = row.map(textOf);
-    const text = [...texts, ...texts.map(translate)].join("\n").toLowerCase();
+    const text = [...row.map(textOf), ...row.map((cell, n) => shownText(cell, heads[n]))].join("\n").toLowerCase();
     return words.every((word) => text.includes(word));
   };
   const positions = rows.flatMap((row, n) => (words.length === 0 || holds(row) ? [n] : []));
@@ -87,10 +92,7 @@ export function targetOf(table: ResultTable, row: number, column: number): Targe
 /** Return the widths of the columns in letters of the language shown, so that no row that comes into view later changes them. */
 export function columnWidths({ heads, rows }: ResultTable): number[] {
   return heads.map((head, n) => {
-    const widest = rows.reduce(
-      (most, row) => Math.max(most, lengthOf(row[n])),
-      headWidth(headText({ ...head, text: translate(head.text) })),
-    );
+    const widest = rows.reduce((most, row) => Math.max(most, lengthOf(row[n], head)), headWidth(headText(head)));
     return Math.min(Math.max(widest, 4), 44) + 2;
   });
 }
@@ -100,7 +102,7 @@ function lettersOf(text: string): number {
   return text.length + 0.4 * (text.match(/[MNWmw]/g)?.length ?? 0);
 }
 
-function lengthOf(cell: TableCell | undefined): number {
+function lengthOf(cell: TableCell | undefined, head: TableHead): number {
   const under = typeof cell === "object" ? cell[1] : "";
-  return lettersOf(translate(textOf(cell))) + (under ? under.length + 1 : 0);
+  return lettersOf(shownText(cell, head)) + (under ? under.length + 1 : 0);
 }

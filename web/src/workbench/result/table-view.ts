@@ -1,11 +1,19 @@
 // A table of results: only the rows in view are in the page; sorted, filtered, copied.
 
 import { button, fill, h, setRead, setText } from "../../viewer/shared/dom";
-import { counted, say, translate, verbatim } from "../../viewer/shared/language";
+import { counted, say, verbatim } from "../../viewer/shared/language";
 import { plainSymbols, symbolElement } from "../../viewer/shared/symbols";
 import type { ResultTable, TableCell, TableHead } from "../client/api";
 import { type RowBox, rangeInView, revealRow, rowsInView } from "../controls/virtual-rows";
-import { arrangeRows, columnWidths, type Sorting, type Target, targetOf, textOf, toTabSeparated } from "./table-rows";
+import {
+  arrangeRows,
+  columnWidths,
+  type Sorting,
+  shownText,
+  type Target,
+  targetOf,
+  toTabSeparated,
+} from "./table-rows";
 import "./table-view.css";
 
 const ROW_HEIGHT = 22; // px, as in table-view.css
@@ -68,12 +76,12 @@ export class TableView {
       this.scroller.scrollTop = 0;
     }
     this.table = table;
-    setRead(this.scroller, "aria-label", table.title);
+    setRead(this.scroller, "aria-label", verbatim(table.title));
     const widths = columnWidths(table);
     fill(this.columns, ...widths.map((width) => h("col", { style: `width:${width}ch` })));
     this.grid.style.width = `${widths.reduce((sum, width) => sum + width, 0)}ch`;
     this.grid.setAttribute("aria-rowcount", String(table.rows.length + 1));
-    fill(this.notes, ...table.notes.map((note) => h("p", {}, verbatim(plainSymbols(translate(note))))));
+    fill(this.notes, ...table.notes.map((note) => h("p", {}, verbatim(plainSymbols(note)))));
     this.arrange();
   }
 
@@ -97,7 +105,7 @@ export class TableView {
     const label = button("", "Sort by this column", () => this.sortBy(n), "link");
     const symbol = head.symbol ? [" ", symbolElement(head.symbol)] : [];
     const unit = head.unit ? [" ", h("span", { class: "unit" }, `[${head.unit}]`)] : [];
-    label.append(plainSymbols(translate(head.text)), ...symbol, ...unit);
+    label.append(plainSymbols(head.text), ...symbol, ...unit);
     const arrow = direction === "none" ? null : h("span", { class: "sorted" }, direction === "ascending" ? " ▴" : " ▾");
     return h("th", { scope: "col", "aria-sort": direction, class: head.number ? "number" : null }, label, arrow);
   }
@@ -176,8 +184,8 @@ export class TableView {
 function makeCell(cell: TableCell, head: TableHead | undefined): HTMLElement {
   const [text, under, kind] = typeof cell === "string" ? [cell, "", ""] : cell;
   const ours = kind === "words" || kind === "symbol";
-  const shown = verbatim(ours ? plainSymbols(translate(text)) : translate(text));
+  const shown = verbatim(ours ? plainSymbols(text) : shownText(cell, head));
   const names = [head?.number ? "number" : "", kind === "good" || kind === "bad" ? kind : ""].filter(Boolean).join(" ");
-  const more = under ? h("small", {}, ` ${under}`) : null;
-  return h("td", { class: names || null, title: textOf(cell).length > 24 ? shown : null }, shown, more);
+  const more = under ? h("small", {}, verbatim(` ${under}`)) : null;
+  return h("td", { class: names || null, title: text.length > 24 ? shown : null }, shown, more);
 }

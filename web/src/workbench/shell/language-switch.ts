@@ -4,6 +4,7 @@ import {
   chosenLanguage,
   keepNames,
   LANGUAGES,
+  pageLanguage,
   setMessages,
   storeLanguage,
   verbatim,
@@ -14,16 +15,20 @@ import { valueAt } from "../model/paths";
 
 const languageFor = (store: Store) => chosenLanguage(valueAt(store.data, ["project", "language"]));
 
-/** Let the page be in the language that was chosen, else in that of the case; in English if its messages do not come. */
-export async function speak(api: Pick<Api, "messages">, store: Store): Promise<void> {
-  const language = languageFor(store);
-  if (language === "en") return;
+/**
+ * Let the page be in the language that was chosen, else in that of the case; in English if its messages do not come.
+ * `again` has the server say anew what it has said in another one.
+ */
+export async function speak(api: Pick<Api, "messages">, store: Store, again: () => Promise<void>): Promise<void> {
+  const [language, before] = [languageFor(store), pageLanguage()];
   try {
-    setMessages(await api.messages(language));
+    setMessages(language === "en" ? null : await api.messages(language));
   } catch (error) {
     if (!(error instanceof Lost || error instanceof Refused)) throw error;
-    return;
+    setMessages(null);
   }
+  if (pageLanguage() !== before) await again();
+  if (pageLanguage() === "en") return;
   const keep = () => keepNames("case", store.data);
   keep();
   // before what shows the names

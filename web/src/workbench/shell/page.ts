@@ -1,7 +1,7 @@
 // The page, made once schema and document are there.
 
 import { h, setText } from "../../viewer/shared/dom";
-import { say } from "../../viewer/shared/language";
+import { say, together } from "../../viewer/shared/language";
 import { casesPanel } from "../cases/cases-panel";
 import type { DocState, HttpApi, Which } from "../client/api";
 import { openSections } from "../client/browser-storage";
@@ -161,7 +161,7 @@ function brokenText(line: number | undefined, nothingBefore: boolean): string {
   const where =
     line === undefined ? "The text cannot be read." : say("The text cannot be read (line {line}).", { line });
   const shown = nothingBefore ? "There is nothing to draw yet." : "All else shows the last text that could be read.";
-  return [where, shown, "Correct it under Text, or undo."].join(" ");
+  return together([where, shown, "Correct it under Text, or undo."]);
 }
 
 function formContext(store: Store, schema: Schema, push: (change: Change) => void): FormContext {

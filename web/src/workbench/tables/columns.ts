@@ -1,4 +1,5 @@
 // The columns of a table: one for each single value that an item may have, from the fields of the schema.
+import { keep, translate } from "../../viewer/shared/language";
 import { defaultElement, tupleLabels } from "../form/inputs/inputs";
 import { labelOf } from "../form/labels";
 import { namesIn } from "../model/names";
@@ -107,8 +108,9 @@ function tupleColumns(field: Field, node: Extract<Node, { is: "tuple" }>): Colum
   const blanks = countTo(length).map((n) => defaultElement(field.default, n));
   return countTo(length).map((n): Column => {
     const label = labels[n] ?? String(n + 1);
-    const words = `${labelOf(field) || field.name} ${label}`;
-    const aliases = [words, `${field.name} ${label}`, `${field.name} ${n + 1}`];
+    const name = labelOf(field) || field.name;
+    const words = keep(`${translate(name)} ${translate(label)}`);
+    const aliases = [words, `${name} ${label}`, `${field.name} ${label}`, `${field.name} ${n + 1}`];
     return { ...single, path: [field.name, n], node: each, words, symbol: "", aliases, blanks, rare: !field.needed };
   });
 }
@@ -135,7 +137,7 @@ function factorColumn(field: Field, name: string): Column {
   const aliases = [name, `factor of ${name}`, `factor ${name}`];
   return {
     path: [field.name, name],
-    field: { ...field, default: undefined, hint: `${field.hint}: ${name}` },
+    field: { ...field, default: undefined, hint: keep(`${translate(field.hint)}: ${name}`) },
     node,
     words: name,
     symbol: "",
@@ -150,7 +152,8 @@ function factorColumn(field: Field, name: string): Column {
 function nestedColumn(field: Field, inner: Field, n: number): Column {
   const single = singleColumn(inner);
   const prefix = `${field.name.replace(/s$/, "")} ${n + 1}`;
-  const words = single.words && single.symbol ? prefix : `${prefix} ${single.words}`.trim();
+  const shown = `${translate(field.name.replace(/s$/, ""))} ${n + 1}`;
+  const words = keep(single.words && single.symbol ? shown : `${shown} ${translate(single.words)}`.trim());
   const aliases = single.aliases.filter(Boolean).flatMap((word) => [`${prefix} ${word}`, `${word} ${n + 1}`]);
   return { ...single, path: [field.name, n, inner.name], words, aliases, rare: !inner.needed };
 }

@@ -1,7 +1,7 @@
 // Lists of the model as tables, edited as in a spreadsheet.
 
 import { allow, button, fill, h, newId, setText } from "../../viewer/shared/dom";
-import { counted, say } from "../../viewer/shared/language";
+import { counted, keep, say, together, translate } from "../../viewer/shared/language";
 import type { Store } from "../client/store";
 import type { FormContext } from "../form/context";
 import { newItem } from "../form/lists/list";
@@ -151,7 +151,7 @@ export class TablesPanel {
   private fillChoice(): void {
     const makeOption = (sheet: Sheet) => {
       const count = positionsIn(this.ctx.data(), sheet).length;
-      return h("option", { value: sheet.id }, count > 0 ? `${sheet.title} (${count})` : sheet.title);
+      return h("option", { value: sheet.id }, count > 0 ? keep(`${translate(sheet.title)} (${count})`) : sheet.title);
     };
     const groups = [...new Set(this.sheets.map(({ group }) => group))].map((group) => {
       const options = this.sheets.filter((sheet) => sheet.group === group).map(makeOption);
@@ -205,7 +205,7 @@ export class TablesPanel {
     const { open, grid, said } = this;
     const problem = said ? firstIssue(open) : issueText(open, grid.block.active);
     this.status.classList.toggle("bad", problem !== "");
-    setText(this.status, [said, problem].filter(Boolean).join(" ") || countText(open));
+    setText(this.status, together([said, problem]) || countText(open));
   }
 
   private push(change: Change | null): void {

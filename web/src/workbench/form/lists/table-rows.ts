@@ -1,6 +1,6 @@
 // A list of flat tables as rows: one row for each table, one column for each key.
 import { fill, h } from "../../../viewer/shared/dom";
-import { say, verbatim } from "../../../viewer/shared/language";
+import { keep, say, translate, verbatim } from "../../../viewer/shared/language";
 import { issuesAt, issuesOfPart } from "../../model/issues";
 import { namesIn } from "../../model/names";
 import { listAt, type Path, startsWith, tableAt } from "../../model/paths";
@@ -80,7 +80,7 @@ function caseNames(ctx: FormContext, path: Path): string[] {
 /** Return one column for each load case. */
 function factorColumns(ctx: FormContext, path: Path, field: Field): Column[] {
   return caseNames(ctx, path).map((name) => ({
-    head: h("th", { scope: "col", class: "factor", title: `${field.hint}: ${name}` }, verbatim(name)),
+    head: h("th", { scope: "col", class: "factor", title: keep(`${translate(field.hint)}: ${name}`) }, verbatim(name)),
     makeCell: (row, position) =>
       factorCell(
         ctx,

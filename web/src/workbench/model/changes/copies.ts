@@ -78,7 +78,7 @@ function transformNamed(table: Table, isometry: Isometry): Table {
 
 function nameOf(table: Table): string {
   const words = [table.kind, table.name].filter((word) => typeof word === "string" && word !== "");
-  return words.length > 0 ? words.join(" ") : "an item";
+  return words.length > 0 ? together(words.map(String)) : "an item";
 }
 
 /** Return a copy with a name that is free in its list; `renamed` remembers it for references. */

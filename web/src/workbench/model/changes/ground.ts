@@ -1,6 +1,6 @@
 // Switching the kind of the ground: what depends on it follows, and comes back with a kind that can have it.
 
-import { say, together } from "../../../viewer/shared/language";
+import { keep, say, together, translate } from "../../../viewer/shared/language";
 import { defaultsFor } from "../defaults";
 import type { Edit } from "../edits";
 import { isTable, type Json, listAt, type Path, pathKey, sameValue, type Table, tableAt } from "../paths";
@@ -32,7 +32,11 @@ export function switchGround(data: Table, from: Part | null, to: Part, memory: M
 
 /** Return what a switch put away and brought back, in a line. */
 function noticeOf({ away, back }: Mended): string {
-  const list = (counts: Map<string, number>) => [...counts].map(([name, number]) => `${number} ${name}`).join(", ");
+  const list = (counts: Map<string, number>) =>
+    together(
+      [...counts].map(([name, number]) => keep(`${number} ${translate(name)}`)),
+      ", ",
+    );
   return together([
     away.size > 0
       ? say("Set aside: {items}; restored when the ground supports them again.", { items: list(away) })

@@ -1,5 +1,5 @@
 // What load cases can be, what that means, and the changes that are made in them and in combinations: each one step.
-import { say, verbatim } from "../../../viewer/shared/language";
+import { say, together, verbatim } from "../../../viewer/shared/language";
 import { defaultsFor } from "../defaults";
 import type { Change, Edit } from "../edits";
 import { type Issue, issueSentence, type Remark } from "../issues";
@@ -286,7 +286,7 @@ export function notesOn(
   const places: Path[] = [["cases", n], ...loads];
   const isHere = ({ path }: { path: Path }) => places.some((place) => startsWith(path, place));
   for (const issue of issues.filter(isHere))
-    notes.push({ words: `${issue.location}: ${issueSentence(issue)}`, own: false, kind: "bad" });
+    notes.push({ words: together([issue.location, issueSentence(issue)], ": "), own: false, kind: "bad" });
   for (const { words } of remarks.filter((remark) => remark.path[0] !== "cases" && isHere(remark)))
     notes.push({ words, own: false, kind: "remark" });
   return notes;

@@ -106,7 +106,14 @@ export function addJoint(data: Table, at: Point, reach: number): Addition | null
   const between = platesAt(data, at, reach);
   return (
     between &&
-    addItem(data, ["joints"], { kind: "hinge", between }, say("joint of {plates}", { plates: between.join(" and ") }))
+    addItem(
+      data,
+      ["joints"],
+      { kind: "hinge", between },
+      say("joint of {plates}", {
+        plates: say("{one} and {other}", { one: verbatim(between[0]), other: verbatim(between[1]) }),
+      }),
+    )
   );
 }
 

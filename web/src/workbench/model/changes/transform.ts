@@ -148,7 +148,7 @@ function combine(factors: readonly number[], values: readonly (Json | undefined)
   const [first, ...others] = terms;
   if (!first) return undefined;
   if (others.some((term) => term[2] !== first[2])) {
-    const units = terms.map((term) => term[2]).join(" and ");
+    const units = terms.map((term) => term[2]).join(", ");
     throw new Impossible(say("its components have different units ({units}); use the same unit first", { units }));
   }
   if (others.length === 0 && first[0] === 1) return `${first[1]} ${first[2]}`;

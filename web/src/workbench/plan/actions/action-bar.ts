@@ -1,5 +1,7 @@
 // The buttons of the actions on what is selected.
+
 import { allow, button } from "../../../viewer/shared/dom";
+import { keep, translate } from "../../../viewer/shared/language";
 import type { Actions } from "./actions";
 import type { ActionDialog } from "./dialog";
 import { FORMS } from "./forms";
@@ -8,7 +10,12 @@ import type { SelectionAction } from "./why-not";
 /** Make the buttons; `update` lets those act that can, and the others say why they cannot. */
 export function actionBar(actions: Actions, dialog: ActionDialog) {
   const forms = FORMS.map((form) => {
-    const each = button(`${form.label} …`, `${form.hint} (${form.key})`, () => dialog.open(form), "small");
+    const each = button(
+      keep(`${translate(form.label)} …`),
+      keep(`${translate(form.hint)} (${form.key})`),
+      () => dialog.open(form),
+      "small",
+    );
     each.setAttribute("aria-keyshortcuts", form.key);
     return [form.name, each] as const;
   });

@@ -1,6 +1,6 @@
 // The dialog of an action: its numbers, below the plan that shows what they make.
 import { button, fill, h, newId } from "../../../viewer/shared/dom";
-import { together, verbatim } from "../../../viewer/shared/language";
+import { keep, together, translate, verbatim } from "../../../viewer/shared/language";
 import type { Additions } from "../../model/changes/copies";
 import { Impossible } from "../../model/changes/transform";
 import type { Point } from "../../model/geometry";
@@ -139,7 +139,7 @@ export class ActionDialog {
     try {
       return this.actions.plan(this.form!, this.read());
     } catch (error) {
-      if (error instanceof Impossible) return `${error.message}.`;
+      if (error instanceof Impossible) return keep(`${translate(error.message)}.`);
       throw error;
     }
   }
