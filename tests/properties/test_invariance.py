@@ -170,7 +170,7 @@ def test_order_of_columns_changes_nothing(ground: str) -> None:
     )
     assert_same(one.only, other.only)
     used, used_too = (
-        {(check.name, check.of): check.utilisation for check in check_design(results).checks if check.utilisation}
+        {(check.name, check.of): check.utilization for check in check_design(results).checks if check.utilization}
         for results in (one, other)
     )
     assert any("punching" in name for name, _ in used)

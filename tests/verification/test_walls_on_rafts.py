@@ -96,8 +96,8 @@ def test_shear_at_d_from_a_wall(raft: gs.Results, found: dict[str, DesignCheck])
     shear = found["one-way shear"]
     assert shear.place is not None
     assert LineString(WALLS).distance(Point(shear.place)) > D - 1e-6
-    assert shear.utilisation is not None
-    assert shear.utilisation < 2.5
+    assert shear.utilization is not None
+    assert shear.utilization < 2.5
 
 
 @pytest.mark.slow

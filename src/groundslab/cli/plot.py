@@ -24,7 +24,7 @@ def describe(plot: argparse.ArgumentParser) -> None:
         "design moments bottom_x, bottom_y, top_x, top_y; of bars over all ultimate combinations "
         "required_bottom_x, required_bottom_y, required_top_x, required_top_y, "
         "provided_bottom_x, provided_bottom_y, provided_top_x, provided_top_y, "
-        "utilisation_bottom_x, utilisation_bottom_y, utilisation_top_x, utilisation_top_y, "
+        "utilization_bottom_x, utilization_bottom_y, utilization_top_x, utilization_top_y, "
         "missing_bottom_x, missing_bottom_y, missing_top_x, missing_top_y; discretization_error, "
         "large where the mesh is too coarse; stiffness_ratio of cracked slabs; membrane_x (n_x), membrane_y, "
         "membrane_xy with eccentric beams (default: the usual choice for the kind)",

@@ -177,9 +177,9 @@ _OF_BARS = {
         "a_prov", "cm2/m", "area per length", "provided area {face} {axis}",
         "provided area {face} {axis}, of the bars provided there",
     ),
-    "utilisation": (
-        "eta", "%", "share", "utilisation {face} {axis}",
-        "utilisation {face} {axis}, required over provided area over all ultimate combinations",
+    "utilization": (
+        "eta", "%", "share", "utilization {face} {axis}",
+        "utilization {face} {axis}, required over provided area over all ultimate combinations",
     ),
     "missing": (
         "a_miss", "cm2/m", "area per length", "missing area {face} {axis}",

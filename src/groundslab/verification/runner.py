@@ -257,7 +257,7 @@ QUANTITIES: dict[str, tuple[str | None, Quantity]] = {
     "contact share": ("share", lambda r, _: r.plate.contact_share),
     "demand of a check": (None, lambda r, row: _check(r, row).demand or 0.0),
     "resistance of a check": (None, lambda r, row: _check(r, row).resistance or 0.0),
-    "share of a check": (None, lambda r, row: _check(r, row).utilisation or 0.0),
+    "share of a check": (None, lambda r, row: _check(r, row).utilization or 0.0),
     "k0": ("pressure per length", lambda r, row: r.constants.k0[row.get("layer", 1) - 1]),
     "k1": ("pressure times length", lambda r, row: r.constants.k1[row.get("layer", 1) - 1]),
     "gamma": (None, lambda r, _: r.constants.gamma or 0.0),

@@ -272,5 +272,5 @@ def test_ground_that_yields_under_all_of_the_slab(case: Path, capsys: pytest.Cap
 def test_json_of_a_check_that_nothing_resists() -> None:
     """An infinite utilization is no number of JSON; the row is written all the same."""
     check_of = json_summary._check(DesignCheck("sliding", "fails", "30 kN against 0", demand=30.0, resistance=0.0))
-    assert check_of["utilisation"] is None
+    assert check_of["utilization"] is None
     assert json.loads(json.dumps(check_of, allow_nan=False))["demand"] == 30.0

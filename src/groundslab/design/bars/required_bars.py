@@ -63,7 +63,7 @@ def bar_fields(combined: Results) -> dict[str, Array]:
         required = fields[f"required_{layer}"] = largest_areas(needed, layer)[0]
         if steel.laid:
             provided = fields[f"provided_{layer}"] = laid_bars(steel, layer, results[0].plate.nodes).area
-            fields[f"utilisation_{layer}"] = required / provided
+            fields[f"utilization_{layer}"] = required / provided
             fields[f"missing_{layer}"] = np.maximum(required - provided, 0.0)
     return {name: fields[name] for name in BAR_FIELDS if name in fields}
 

@@ -180,7 +180,7 @@ def _failure(worst: DesignCheck, count: str) -> str:
     """Return the sentence about a design that fails; of what holds the slab the reason in full."""
     if worst.foundation:
         return Message("FOUNDATION FAILS ({count}): {name}: {text}.", count=count, name=worst.name, text=worst.words)
-    used = worst.utilisation
+    used = worst.utilization
     times = (
         Message("{name}, {used:.3g} times its limit; ", name=worst.name, used=used)
         if used is not None and not worst.least
@@ -194,7 +194,7 @@ def _order(check: DesignCheck) -> tuple[int, bool, bool, float]:
 
     A failure without a number comes before those with one, a check without a verdict before others to look at.
     """
-    used = check.utilisation
+    used = check.utilization
     status, fails = ORDER.index(check.status), check.status == "fails"
     return (
         status,

@@ -134,13 +134,13 @@ class DesignCheck:
     unjudged: Unjudged | None = None
 
     @property
-    def utilisation(self) -> float | None:
+    def utilization(self) -> float | None:
         """Return demand over resistance, or the other way round where it must not be less; None without numbers."""
         return None if self.demand is None else self._used(self.demand)
 
     @property
     def between(self) -> tuple[float, float] | None:
-        """Return the least and the greatest utilisation within the error of the demand; None without an error."""
+        """Return the least and the greatest utilization within the error of the demand; None without an error."""
         if self.demand is None or self.resistance is None or self.error is None:
             return None
         used = [self._used(max(self.demand + sign * self.error, 0.0)) for sign in (-1, 1)]
@@ -148,11 +148,11 @@ class DesignCheck:
         return low, high
 
     @property
-    def utilisation_error(self) -> float | None:
-        """Return by how much the utilisation may be larger, None without an error."""
-        if self.between is None or self.utilisation is None:
+    def utilization_error(self) -> float | None:
+        """Return by how much the utilization may be larger, None without an error."""
+        if self.between is None or self.utilization is None:
             return None
-        return self.between[1] - self.utilisation
+        return self.between[1] - self.utilization
 
     @property
     def hangs(self) -> bool:
@@ -165,7 +165,7 @@ class DesignCheck:
         return Message("{status}, but within the error", status=self.status) if self.hangs else self.status
 
     def _used(self, demand: float) -> float | None:
-        """Return the utilisation by a demand."""
+        """Return the utilization by a demand."""
         if self.resistance is None:
             return None
         over, under = (self.resistance, demand) if self.least else (demand, self.resistance)

@@ -251,8 +251,8 @@ def _utilizations(design: Design) -> dict[str, float]:
     """Return the largest utilization of each kind of check, in the order in which they are listed."""
     largest = dict[str, float]()
     for check in design.checks:
-        if check.utilisation is not None:
-            largest[check.name] = max(check.utilisation, largest.get(check.name, 0.0))
+        if check.utilization is not None:
+            largest[check.name] = max(check.utilization, largest.get(check.name, 0.0))
     return largest
 
 

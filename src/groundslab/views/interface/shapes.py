@@ -107,7 +107,7 @@ Text: TypeAlias = str | Name | Message | TextsInARow
 
 
 class Check(TypedDict):
-    """A design check at its governing place; `utilisation` is null without numbers and where nothing resists.
+    """A design check at its governing place; `utilization` is null without numbers and where nothing resists.
 
     `message` has what `words` say as values.
     """
@@ -127,7 +127,7 @@ class Check(TypedDict):
     place: Place | None
     foundation: bool
     error: float | None
-    utilisation: float | None
+    utilization: float | None
     between: list[float | None] | None
     steps: list[CalculationStep]
     unjudged: Unjudged | None

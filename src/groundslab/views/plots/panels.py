@@ -208,7 +208,7 @@ def shared_scales(panels: Sequence[Panel]) -> dict[str, ColorScale]:
     scales = {}
     for name in dict.fromkeys(panel.quantity.name for panel in panels):
         alike = [panel for panel in panels if panel.quantity.name == name]
-        limit = 100.0 if name.startswith("utilisation") else None
+        limit = 100.0 if name.startswith("utilization") else None
         difference = any(panel.difference for panel in alike)
         signed = difference or alike[0].quantity.field.sign == "any"
         values = [panel.values for panel in alike]

@@ -37,7 +37,7 @@ SHOWN = (
     "moment_xy", "shear_x", "shear_y",
 )  # fmt: skip
 #: The fields of bars that a scene has begin with these.
-SHOWN_OF_BARS = ("required_", "provided_", "utilisation_", "missing_")
+SHOWN_OF_BARS = ("required_", "provided_", "utilization_", "missing_")
 
 
 def scene_of(combined: Results, most: int | None = None) -> Scene:

@@ -196,11 +196,11 @@ def _hanging_words(combined: Results) -> str:
     from groundslab.design.checks import check_design
 
     for check in check_design(combined).hanging:
-        error = check.utilisation_error or 0.0
+        error = check.utilization_error or 0.0
         if error > combined.model.mesh.largest_error:
             return Message(
                 "The mesh is too coarse for a check: {name} is {used:.2f} +- {error:.2g} times its limit. {remedy}",
-                name=check.name, used=check.utilisation or 0.0, error=error,
+                name=check.name, used=check.utilization or 0.0, error=error,
                 remedy=capitalized(_remedy(next(iter(combined.values())))),
             )  # fmt: skip
     return ""

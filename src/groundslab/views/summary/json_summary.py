@@ -91,10 +91,10 @@ def design(combined: Results) -> dict[str, Any]:
 
 
 def _check(check: DesignCheck) -> dict[str, Any]:
-    """Return a check as data for JSON, which knows no infinite utilisation: nothing resists there."""
-    numbers = (check.utilisation, *(check.between or ()))
+    """Return a check as data for JSON, which knows no infinite utilization: nothing resists there."""
+    numbers = (check.utilization, *(check.between or ()))
     used, *between = (number if number is not None and isfinite(number) else None for number in numbers)
-    judged = {"utilisation": used, "between": between or None, "verdict": check.verdict}
+    judged = {"utilization": used, "between": between or None, "verdict": check.verdict}
     return asdict(check) | judged | {"message": as_values(check.words)}
 
 

@@ -167,14 +167,14 @@ def _extreme(extreme: Extreme, units: System, translate: Translator) -> Text:
 
 
 def _head(title: str, design: Design, translate: Translator, console: Console) -> None:
-    """Print the verdict on the design, the title, the version, and the checks, utilisation before each."""
+    """Print the verdict on the design, the title, the version, and the checks, utilization before each."""
     _print_lines(
         textwrap.wrap(translate(design.headline), 78), _style(design.status, hangs=bool(design.hanging)), console
     )
     _print_lines([title or translate("(no title)")], "bold", console)
     _print_lines([f"groundslab {__version__}"], "dim", console)
     for check in design.checks:
-        used = "" if check.utilisation is None else translate(f"{check.utilisation:.2f}")
+        used = "" if check.utilization is None else translate(f"{check.utilization:.2f}")
         within = f" ({translate(text).replace('±', '+-')})" if (text := between_text(check)) else ""
         verdict = f" [{translate(check.verdict)}]" if check.hangs else ""
         text = f"{used:>6}{within} {translate(check.name)}: {translate(check.words)}{verdict}"
@@ -183,10 +183,10 @@ def _head(title: str, design: Design, translate: Translator, console: Console) -
 
 
 def between_text(check: DesignCheck) -> str:
-    """Return between which values the utilisation is within the discretization error, empty where it has none."""
+    """Return between which values the utilization is within the discretization error, empty where it has none."""
     if check.between is None or not check.error:
         return ""
-    used, low, high = (f"{value:.2f}" for value in (check.utilisation or 0.0, *check.between))
+    used, low, high = (f"{value:.2f}" for value in (check.utilization or 0.0, *check.between))
     if low == used == high:
         return "±<0.01"
     return Message("{low:.2f} to {high:.2f}", low=check.between[0], high=check.between[1])

@@ -1,4 +1,4 @@
-"""The table of checks: demand, limit and utilisation of each, where they govern."""
+"""The table of checks: demand, limit and utilization of each, where they govern."""
 
 from __future__ import annotations
 
@@ -17,13 +17,13 @@ HANGS = (
     'A verdict "but within the error" hangs on the discretization error: less or more by it, the demand is on the '
     "other side of the limit."
 )
-_ERROR = attrgetter("utilisation_error")
+_ERROR = attrgetter("utilization_error")
 
 
 def checks_table(combined: Results) -> Table:
     """Return all checks of the design, the failures first."""
     heads = [
-        ("check", ""), ("of", ""), ("utilisation", ""), ("verdict", ""), ("demand", ""), ("limit", ""), ("unit", ""),
+        ("check", ""), ("of", ""), ("utilization", ""), ("verdict", ""), ("demand", ""), ("limit", ""), ("unit", ""),
         ("combination", ""), ("x", "m"), ("y", "m"), ("clause", ""), ("in words", ""),
     ]  # fmt: skip
     rows = []
@@ -31,14 +31,14 @@ def checks_table(combined: Results) -> Table:
     for check in checks:
         x, y = check.place or (None, None)
         sizes = check.demand, check.resistance, check.unit or None
-        rows.append([check.name, check.of or None, check.utilisation, check.verdict, *sizes, check.combination or None,
+        rows.append([check.name, check.of or None, check.utilization, check.verdict, *sizes, check.combination or None,
                      x, y, _clause(check) or None, check.words])  # fmt: skip
-    notes = ["The utilisation is demand over limit; of an area in contact, which must not be less, limit over demand."]
+    notes = ["The utilization is demand over limit; of an area in contact, which must not be less, limit over demand."]
     table = table_of("checks", "Checks of the design", heads, rows, notes)
     if all(check.error is None for check in checks):
         return table
     of_ratios = [error if error is None or isfinite(error) else None for error in map(_ERROR, checks)]
-    errors = {"demand": [check.error for check in checks], "utilisation": of_ratios}
+    errors = {"demand": [check.error for check in checks], "utilization": of_ratios}
     columns = (
         Column(Message("error of {name}", name=name), "", tuple(values), error_of=name)
         for name, values in errors.items()

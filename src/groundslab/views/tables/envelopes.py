@@ -53,7 +53,7 @@ def fields_of_envelope(combined: Results) -> dict[str, Array | Integers]:
     "ultimate combination of greatest settlement w" holds which combination they come from: its position in
     `combined.combinations`, from 0. With reinforcement given, "reinforcement bottom x [cm2/m]" and so on hold the
     largest area over the ultimate combinations; it is inf where "reinforcement fails" is 1. "reinforcement needs links"
-    is 1 where bars in compression are counted on. Where bars are laid, "provided area bottom x [cm2/m]", "utilisation
+    is 1 where bars in compression are counted on. Where bars are laid, "provided area bottom x [cm2/m]", "utilization
     bottom x [%]" and "missing area bottom x [cm2/m]" compare with them. Empty if no combination has a result.
     """
     number = {combination.name: i for i, combination in enumerate(combined.combinations)}

@@ -69,7 +69,7 @@ class Tools:
     async def checks(
         self, results: Results, context: Context, full: Full = False
     ) -> Annotated[CallToolResult, shapes.DesignOfResults]:
-        """Return the design checks of results, the worst first: demand, resistance, utilisation, clause and place."""
+        """Return the design checks of results, the worst first: demand, resistance, utilization, clause and place."""
         return await self._answer(context, tasks.checks, results, full)
 
     async def tables(

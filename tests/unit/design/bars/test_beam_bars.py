@@ -337,7 +337,7 @@ def test_the_shear_of_flanges_is_checked() -> None:
     assert [each.status for each in check(RIB, 600e3)] == ["no failure found"]
     (failing,) = check(RIB, 2.2e6)
     assert (failing.status, failing.of) == ("fails", "B")
-    assert failing.utilisation == pytest.approx(2.2e6 / 0.63 * 0.4 / 0.25 / 5.28e6, rel=1e-6)
+    assert failing.utilization == pytest.approx(2.2e6 / 0.63 * 0.4 / 0.25 / 5.28e6, rel=1e-6)
 
 
 def test_an_eccentric_rib_needs_what_one_with_an_effective_width_does() -> None:

@@ -116,7 +116,7 @@ def test_a_square_drop_panel_by_en_1992() -> None:
     check = named(punching.checks(combined), "thicker zones")
     assert check.name == "punching around thicker zones within 2 d"
     assert (check.of, check.place, check.clause) == ("zone 1", (0, 0), "EN 1992-1-1 6.4.4(2)")
-    assert check.utilisation == pytest.approx(max(used), rel=1e-3)
+    assert check.utilization == pytest.approx(max(used), rel=1e-3)
     assert check.error == pytest.approx(0.1 * PRESSURE * area / (u * D) / 1e6, rel=2e-3)
 
 
@@ -173,7 +173,7 @@ def test_the_slab_fails_around_a_panel_that_bears(code: str, of_column: str, thi
     of = {each.name: each for each in punching.checks(combined)}
     (around_it,) = (check for name, check in of.items() if "thicker zones" in name)
     assert around_it.status == "fails"
-    used = of[of_column].utilisation
+    used = of[of_column].utilization
     assert used is not None
     assert used < 1
 
@@ -251,7 +251,7 @@ def test_a_column_on_a_zone_is_judged_within_it() -> None:
         u, area = around(a, 0.4)
         used.append((3e6 - PRESSURE * area) / (u * d) / (1e6 * v_rd_c(d) * 2 * d / a))
     check = named(punching.checks(combined), "punching within 2 d")
-    assert (check.of, check.utilisation) == ("C1", pytest.approx(max(used), rel=1e-3))
+    assert (check.of, check.utilization) == ("C1", pytest.approx(max(used), rel=1e-3))
 
 
 def test_a_perimeter_beyond_a_step_counts_by_the_slab_there() -> None:

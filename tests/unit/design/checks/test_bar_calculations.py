@@ -17,7 +17,7 @@ SECOND: dict[str, Any] = {"code": "EN 1992-1-1:2023"}
 def followed(check: DesignCheck) -> dict[str, float]:
     """Return the values of a check's steps by their symbols; the share is that of the check."""
     known = follow_steps(check.steps)
-    assert known["eta"] == pytest.approx(check.utilisation)
+    assert known["eta"] == pytest.approx(check.utilization)
     return known
 
 

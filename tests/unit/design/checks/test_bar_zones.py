@@ -91,7 +91,7 @@ def test_bars_fail_where_the_zone_is_not() -> None:
     assert check.resistance == pytest.approx(AREA * 1e4)
     assert check.place is not None
     assert check.place[0] < 0
-    used = bar_fields(of)["utilisation_bottom_x"]
+    used = bar_fields(of)["utilization_bottom_x"]
     right = of.results["ULS"].plate.nodes[:, 0] >= 0
     assert used[right].max() < 1 < used[~right].min()
     assert checks(results(115e3, zones=[zone(ALL)]))["bars at the bottom x"].status == "no failure found"
@@ -122,7 +122,7 @@ def test_distance_of_bars_where_zones_lie_between() -> None:
 
 
 def test_fields_of_bars() -> None:
-    """Required is the table's, provided as laid, utilisation their ratio, missing the difference, not below zero."""
+    """Required is the table's, provided as laid, utilization their ratio, missing the difference, not below zero."""
     of = results(115e3, zones=[zone(RIGHT, layers=["bottom_x"])])
     fields = bar_fields(of)
     assert set(fields) == set(BAR_FIELDS)
@@ -132,12 +132,12 @@ def test_fields_of_bars() -> None:
     required = largest_areas(required_areas(steel, ultimate_results(of)), "bottom_x")[0]
     assert np.array_equal(fields["required_bottom_x"], required)
     assert fields["provided_bottom_x"] == pytest.approx(np.where(right, 2 * AREA, AREA))
-    assert fields["utilisation_bottom_x"] * fields["provided_bottom_x"] == pytest.approx(required)
+    assert fields["utilization_bottom_x"] * fields["provided_bottom_x"] == pytest.approx(required)
     assert fields["missing_bottom_x"] == pytest.approx(np.where(right, 0.0, required - AREA))
     assert fields["provided_top_y"] == pytest.approx(AREA)
     shown = fields_of_envelope(of)
     assert shown["provided area bottom x [cm2/m]"] == pytest.approx(fields["provided_bottom_x"] * 1e4)
-    assert shown["utilisation bottom x [%]"] == pytest.approx(fields["utilisation_bottom_x"] * 100)
+    assert shown["utilization bottom x [%]"] == pytest.approx(fields["utilization_bottom_x"] * 100)
     assert shown["missing area top y [cm2/m]"] == pytest.approx(0.0)
 
 

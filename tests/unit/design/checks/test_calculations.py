@@ -234,7 +234,7 @@ def test_one_way_shear_is_followed(steel: dict[str, Any]) -> None:
     table = sheets(ROUND, steel=steel, thickness=0.25, P=450e3)
     found = of(table, "one-way shear")
     checks = sheets(ROUND, steel=steel, thickness=0.25, P=450e3, name="checks")
-    used = checks["utilisation"][checks["check"].index("one-way shear")]
+    used = checks["utilization"][checks["check"].index("one-way shear")]
     assert found["eta"] == pytest.approx(used, rel=1e-9)
 
 

@@ -198,7 +198,7 @@ def test_distance_of_bars_where_bent_most() -> None:
     for annex in ("recommended", "United Kingdom", "Germany"):
         row = rows({**EN, **AXES, **far, "annex": annex})["distance of bars where bent most"]
         assert (row.status, row.demand, row.resistance) == ("attention", pytest.approx(300), pytest.approx(250))
-        assert rows({**EN, **AXES, **LAID, "annex": annex})["distance of bars where bent most"].utilisation == 0.6
+        assert rows({**EN, **AXES, **LAID, "annex": annex})["distance of bars where bent most"].utilization == 0.6
     # only the bottom along x is bent by m_x > 0, the bottom along y counts under the column alone
     bars = {**LAID, "bottom_y": {"diameter": 0.012, "spacing": 0.3}}
     row = rows({**EN, **AXES, **bars})["distance of bars where bent most"]

@@ -140,8 +140,8 @@ def test_a_quarter_turn_exchanges_the_sides(code: str) -> None:
     for quarter in (90.0, -90.0, 270.0):
         columns = {name: (x, y, h, b, quarter) for name, (x, y, b, h, _) in plain.items()}
         found = check_design(solve_once(model(code, columns=columns, mesh={"size": 0.5}))).checks
-        assert [(each.name, each.of, each.demand, each.utilisation, each.error) for each in found] == [
-            (each.name, each.of, each.demand, each.utilisation, each.error) for each in want
+        assert [(each.name, each.of, each.demand, each.utilization, each.error) for each in found] == [
+            (each.name, each.of, each.demand, each.utilization, each.error) for each in want
         ]
 
 

@@ -49,7 +49,7 @@ def test_glued_ground_hides_no_uplift() -> None:
     check = uplift(40e3, contact={"tensionless": False})
     assert (check.name, check.status, check.combination) == ("uplift by actions", "fails", "UPL 3")
     assert (check.demand, check.resistance) == (pytest.approx(960), pytest.approx(162))
-    assert check.utilisation == pytest.approx(5.926, abs=1e-3)
+    assert check.utilization == pytest.approx(5.926, abs=1e-3)
     assert uplift(6e3, contact={"tensionless": False}).status == "no failure found"
     supports = [{"kind": "point", "x": 0, "y": 0, "stiffness": 50e6}]
     assert uplift(7e3, contact={"tensionless": False}, supports=supports, mesh={"size": 1.0}).status == "attention"
@@ -146,7 +146,7 @@ def test_supports_that_hold_the_slab_down() -> None:
     """With anchors the analysis alone decides: no forces are compared, in which theirs would be missing."""
     anchors = [{"kind": "point", "x": x, "y": y, "stiffness": 50e6} for x in (-2, 2) for y in (-1, 1)]
     check = uplift(7e3, supports=anchors, mesh={"size": 1.0})
-    assert (check.status, check.utilisation) == ("no failure found", None)
+    assert (check.status, check.utilization) == ("no failure found", None)
 
 
 def test_overturning_by_hand() -> None:

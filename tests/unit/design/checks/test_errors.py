@@ -80,7 +80,7 @@ def test_a_verdict_hangs_where_the_limit_lies_within_the_error(limit: float, ver
     check = only(settled(20e-3, limit))
     assert check.error == pytest.approx(0.4)
     assert check.between == pytest.approx((19.6e-3 / limit, 20.4e-3 / limit))
-    assert check.utilisation_error == pytest.approx(0.4e-3 / limit)
+    assert check.utilization_error == pytest.approx(0.4e-3 / limit)
     assert check.verdict == verdict
     assert check.status == ("fails" if limit < 20e-3 else "no failure found")
     assert check.hangs == ("within" in verdict)
@@ -130,7 +130,7 @@ def test_it_is_told_everywhere() -> None:
     (table,) = (each for each in tables_of(combined) if each.name == "checks")
     assert table["verdict"] == ("no failure found, but within the error",)
     assert table["error of demand"] == (pytest.approx(0.4),)
-    assert table["error of utilisation"] == (pytest.approx(0.4 / 20.3),)
+    assert table["error of utilization"] == (pytest.approx(0.4 / 20.3),)
     first = page(render_report(combined, chapters=[])).one("table", class_="table checks").text
     assert "0.97 to 1.00" in first
     assert "±2.0 %" in first
@@ -281,12 +281,12 @@ def row(check: DesignCheck) -> tuple[str, str, str]:
 def test_every_row_has_an_error_that_holds(changes: dict[str, Any]) -> None:
     """Each demand of the results has an error, and a mesh of an eighth of the size lies within it."""
     coarse, truth = (check_design(solve_once(raft(size, **changes))).checks for size in (0.5, 0.125))
-    true = {row(check): check.utilisation for check in truth}
+    true = {row(check): check.utilization for check in truth}
     told = [check for check in coarse if check.demand is not None and check.name not in GIVEN]
     assert {check.name for check in told if check.error is None} == set()
     assert len(told) > 8
     for check in told:
-        used, error = check.utilisation, check.utilisation_error
+        used, error = check.utilization, check.utilization_error
         assert used is not None
         assert error is not None
         exact = true[row(check)] or 0.0

@@ -24,7 +24,7 @@ def test_the_table(minutes: int, h_s: float, a: float) -> None:
     assert (thickness.demand, thickness.resistance) == (pytest.approx(300), h_s)
     for check in (axes, thickness):
         assert check.status == "no failure found"
-        assert follow_steps(check.steps)["eta"] == pytest.approx(check.utilisation)
+        assert follow_steps(check.steps)["eta"] == pytest.approx(check.utilization)
 
 
 def test_the_face_that_is_heated() -> None:
@@ -39,7 +39,7 @@ def test_the_face_that_is_heated() -> None:
 def test_less_than_the_table_needs_attention() -> None:
     """46 mm are not the 55 mm of 180 minutes; a calculation may show more. Only to carry, thickness is not asked."""
     check = checks(1e3, fire="R 180")[AXES]
-    assert (check.status, check.utilisation) == ("attention", pytest.approx(55 / 46))
+    assert (check.status, check.utilization) == ("attention", pytest.approx(55 / 46))
     assert "4.2 or 4.3" in check.words
     assert THICKNESS not in checks(1e3, fire="R 180")
     assert AXES not in checks(1e3)

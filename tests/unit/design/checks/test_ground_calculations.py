@@ -53,7 +53,7 @@ def test_bearing_and_sliding_are_followed(strength: dict[str, Any], H_x: float) 
     for check in checks.values():
         if check.name in ("bearing resistance", "sliding"):
             known = follow_steps(check.steps)
-            assert known["eta"] == pytest.approx(check.utilisation)
+            assert known["eta"] == pytest.approx(check.utilization)
             assert known["R_d"] == pytest.approx(check.resistance / 1e3)
     table = table_makers(combined)["calculations"]()
     assert {"bearing resistance"} <= set(table["check"])
@@ -102,7 +102,7 @@ def test_a_pad_with_a_large_eccentricity() -> None:
     """180 kNm of 600 kN, 0.3 m of 1 m; of a third of the weight 0.9 m of 1 m, and more needs attention."""
     check = by_name(pad(DRAINED))["eccentricity on the ground"]
     assert (check.status, check.demand, check.resistance) == ("no failure found", pytest.approx(0.3), pytest.approx(1))
-    assert follow_steps(check.steps)["eta"] == pytest.approx(check.utilisation)
+    assert follow_steps(check.steps)["eta"] == pytest.approx(check.utilization)
     check = by_name(pad(DRAINED, M_x=440e3))["eccentricity on the ground"]
     assert (check.status, check.demand) == ("attention", pytest.approx(1.1))
 
@@ -134,7 +134,7 @@ def test_uplift_is_followed(q: float) -> None:
     known = follow_steps(check.steps)
     assert (known["V_dst"], known["G_stb"]) == pytest.approx((24e-6 * q, 0.162))
     assert (known["gamma_1"], known["G_1"], known["eta"]) == pytest.approx((0.9, 0.18, 24e-6 * q / 0.162))
-    assert check.utilisation == pytest.approx(known["eta"])
+    assert check.utilization == pytest.approx(known["eta"])
 
 
 def raft(code: str, **changes: Any) -> Results:
@@ -166,4 +166,4 @@ def test_punching_over_a_pile_is_followed(code: str) -> None:
     assert known[punching][5] == f"{force} - N_o + N_p"
     assert known["d"][7] == pytest.approx(0.355)
     name = "punching over piles within 2 d" if code == "EN 1992-1-1" else "two-way shear over piles"
-    assert known["eta"][7] == pytest.approx(by_name(combined)[name].utilisation)
+    assert known["eta"][7] == pytest.approx(by_name(combined)[name].utilization)

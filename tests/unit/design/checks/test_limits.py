@@ -64,7 +64,7 @@ def test_settlement_of_the_worst_combination_counts_but_no_ultimate_one() -> Non
     check = only(solved(model_with(settlement=0.025), **fields))
     assert (check.status, check.combination) == ("no failure found", "SLS 2")
     assert (check.demand, check.resistance, check.unit) == pytest.approx((20.0, 25.0, "mm"))
-    assert check.utilisation == pytest.approx(0.8)
+    assert check.utilization == pytest.approx(0.8)
     failing = only(solved(model_with(settlement=0.016), **fields))
     assert failing.status == "fails"
     assert failing.words.startswith("20 > 16 mm at (")
@@ -144,7 +144,7 @@ def test_limits_are_followed() -> None:
     assert len(checks) == len(limits)
     for check in checks.values():
         known = follow_steps(check.steps)
-        assert known["eta"] == pytest.approx(check.utilisation)
+        assert known["eta"] == pytest.approx(check.utilization)
         assert ("eta_e" in known) == (check.error is not None)
         if check.between is not None:
             assert known["eta_e"] == pytest.approx(check.between[1])
@@ -158,7 +158,7 @@ def test_what_must_not_be_less() -> None:
     check = only(combined)
     assert check.least
     assert check.demand == pytest.approx(100 * share)
-    assert check.utilisation == pytest.approx(0.5 / share)
+    assert check.utilization == pytest.approx(0.5 / share)
     assert check.status == ("no failure found" if share >= 0.5 else "fails")
 
 

@@ -87,7 +87,7 @@ def test_springs_at_their_limit(limit_is: str, status: str) -> None:
     design = check_design(solved(supports=supports))
     found = [each for each in design.checks if each.name == model_limits.SUPPORT]
     assert [each.status for each in found] == [status] * 4
-    assert [each.utilisation for each in found] == pytest.approx([1.0] * 4)
+    assert [each.utilization for each in found] == pytest.approx([1.0] * 4)
     assert found[0].words == f'S1: 50 kN reaches its {limit_is} of 50 kN in "ULS", "char"'
     start = "FOUNDATION FAILS (4 of 4 checks fail): support" if status == "fails" else "DESIGN NEEDS ATTENTION: 4 of 4"
     assert design.headline.startswith(start)
@@ -152,7 +152,7 @@ def test_a_characteristic_resistance(limit: float, share: float, status: str) ->
     of = on_corners(limit=limit, limit_is="characteristic resistance", gamma_R=1.2)
     found = rows(model_limits.SUPPORT, of)
     assert {(each.status, each.combination) for each in found} == {(status, "ULS")}
-    assert [each.utilisation for each in found] == pytest.approx([share] * 4)
+    assert [each.utilization for each in found] == pytest.approx([share] * 4)
     assert [each.resistance for each in found] == pytest.approx([limit / 1.2e3] * 4)
     assert f"kN, its characteristic resistance of {limit / 1e3:.4g} kN over 1.2, in " in found[0].words
     known = follow_steps(found[0].steps)
@@ -163,7 +163,7 @@ def test_a_characteristic_resistance(limit: float, share: float, status: str) ->
         supports=[each | {"limit": 150e3, "limit_is": "characteristic resistance", "gamma_R": 1.2} for each in CORNERS],
         contact={"gap": 1.0}, combinations=PLATE["combinations"][:1],
     )  # fmt: skip
-    assert [each.utilisation for each in rows(model_limits.SUPPORT, alone)] == pytest.approx([100 / 150] * 4)
+    assert [each.utilization for each in rows(model_limits.SUPPORT, alone)] == pytest.approx([100 / 150] * 4)
 
 
 @pytest.mark.parametrize(("state", "factor"), [("ultimate", 1.15), ("uplift", 1.4), ("characteristic", 1.0)])

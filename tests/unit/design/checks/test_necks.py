@@ -95,8 +95,8 @@ def test_all_that_is_loaded_beyond_passes_through_a_neck(code: str, length: floa
     assert 3 <= check.place[1] <= 3 + length
     assert check.resistance == pytest.approx(resistance(code), rel=1e-3)
     assert check.status == "attention"
-    assert check.utilisation == pytest.approx(check.demand / resistance(code), rel=1e-3)
-    assert check.utilisation > 1.19
+    assert check.utilization == pytest.approx(check.demand / resistance(code), rel=1e-3)
+    assert check.utilization > 1.19
 
 
 def test_elements_keep_equilibrium_along_the_neck() -> None:

@@ -25,7 +25,7 @@ def test_bars_against_what_bending_needs() -> None:
     for m, status, used in ((0.999 * most, "no failure found", 1.0), (1.001 * most, "fails", 1.0)):
         check = checks(m)["bars at the bottom x"]
         assert check.status == status
-        assert check.utilisation == pytest.approx(used, rel=2e-3)
+        assert check.utilization == pytest.approx(used, rel=2e-3)
         assert check.resistance == pytest.approx(7.540, rel=1e-3)
     assert checks(most)["bars at the top x"].status == "no failure found"
 
@@ -137,7 +137,7 @@ def test_bars_against_restraint() -> None:
         assert (row.status, row.clause) == (status, "EN 1992-1-1 7.3.2(2)")
         assert row.demand == pytest.approx(8.6895, rel=1e-4)
         assert row.resistance == pytest.approx(np.pi * bars["top_x"]["diameter"] ** 2 / 4 / 0.15 * 1e4)
-        assert follow_steps(row.steps)["eta"] == pytest.approx(row.utilisation)
+        assert follow_steps(row.steps)["eta"] == pytest.approx(row.utilization)
     early = checks(0.0, **LAID, restraint={"f_ct_eff": 1.45e6})["bars against restraint"]
     assert early.demand == pytest.approx(4.35)
 
@@ -171,7 +171,7 @@ def test_restraint_that_is_not_checked_is_told() -> None:
     (row,) = [check for check in design.checks if check.name == "bars against restraint"]
     assert (row.status, row.words.partition(";")[0]) == ("attention", "not judged: no bars are laid")
     yielding = checks(0.0, **LAID, restraint={}, w_max=3e-4)["crack width by restraint"]
-    assert (yielding.status, yielding.utilisation) == ("attention", None)
+    assert (yielding.status, yielding.utilization) == ("attention", None)
     assert "crack width by restraint" not in checks(0.0, **THICK, restraint={})
     with pytest.raises(InputError, match="restraint"):
         model_of(code="ACI 318", restraint={})
@@ -182,14 +182,14 @@ def test_the_stress_of_bars_is_followed() -> None:
     row = checks(40e3)["stress of the bars"]
     known = follow_steps(row.steps)
     assert (known["sigma_s"], known["sigma_max"]) == (pytest.approx(stress_by_hand(40e3) / 1e6, rel=1e-3), 400)
-    assert known["eta"] == pytest.approx(row.utilisation)
+    assert known["eta"] == pytest.approx(row.utilization)
 
 
 def test_least_bars_for_cracks_are_followed() -> None:
     """The calculation gives the area of the check."""
     row = checks(20e3, w_max=3e-4)["least bars for cracks"]
     known = follow_steps(row.steps)
-    assert (known["A_min"], known["eta"]) == (pytest.approx(row.demand), pytest.approx(row.utilisation))
+    assert (known["A_min"], known["eta"]) == (pytest.approx(row.demand), pytest.approx(row.utilization))
 
 
 def test_distance_of_bars_for_cracks_by_aci_318() -> None:
@@ -200,7 +200,7 @@ def test_distance_of_bars_for_cracks_by_aci_318() -> None:
         row = checks(1e3, **aci | far)["distance of bars for cracks"]
         assert (row.status, row.of, row.clause) == (status, "bottom y", "ACI 318-19 24.3.2")
         assert (row.demand, row.resistance) == (pytest.approx(spacing * 1e3), pytest.approx(250))
-        assert follow_steps(row.steps)["eta"] == pytest.approx(row.utilisation)
+        assert follow_steps(row.steps)["eta"] == pytest.approx(row.utilization)
     assert aci_bars.crack_spacing(210e6, np.array([0.02]), "SI") == pytest.approx([0.4])
 
 
@@ -223,4 +223,4 @@ def test_bars_for_shrinkage_and_temperature_by_aci_318() -> None:
         row = checks(0.0, **aci | far)["bars for shrinkage and temperature"]
         assert (row.status, row.clause) == (status, "ACI 318-19 24.4.3.2")
         assert (row.demand, row.resistance) == (pytest.approx(5.4), pytest.approx(2 * np.pi * 1.2**2 / 4 / spacing))
-        assert follow_steps(row.steps)["eta"] == pytest.approx(row.utilisation)
+        assert follow_steps(row.steps)["eta"] == pytest.approx(row.utilization)

@@ -97,7 +97,7 @@ def test_a_column_that_pulls(code: str) -> None:
     """1.35 x 200 kN up and the pressure inside, less the loads there, on perimeters of the depth of the top bars."""
     v_Ed, v_Rd = HAND[code](1.35 * 200e3, PRESSURE - LOAD, D_TOP)
     found = check(code, solved(code, -200e3))
-    assert found.utilisation == pytest.approx(v_Ed / v_Rd, rel=5e-4)
+    assert found.utilization == pytest.approx(v_Ed / v_Rd, rel=5e-4)
     assert found.demand == pytest.approx(v_Ed, rel=5e-3)
     assert (found.of, found.place) == ("C1", (0.0, 0.0))
     assert "it pulls and is taken as tied to the far face" in found.words
@@ -108,7 +108,7 @@ def test_a_pile_that_pulls(code: str) -> None:
     """270 kN down and the loads inside, less the pressure there, on perimeters of the depth of the bottom bars."""
     v_Ed, v_Rd = HAND[code](270e3, LOAD - PRESSURE, D_BOTTOM, circle=True)
     found = check(code, solved(code, pile=-270e3))
-    assert found.utilisation == pytest.approx(v_Ed / v_Rd, rel=5e-4)
+    assert found.utilization == pytest.approx(v_Ed / v_Rd, rel=5e-4)
     assert found.demand == pytest.approx(v_Ed, rel=5e-3)
     assert "it pulls" in found.words
 
@@ -161,7 +161,7 @@ def test_a_moment_without_a_force(code: str) -> None:
     used = max(turning(code, M, PRESSURE - LOAD, D_TOP), turning(code, M, LOAD - PRESSURE, D_BOTTOM))
     of = solved(code, M_x=100e3)
     found = check(code, of)
-    assert found.utilisation == pytest.approx(used, rel=1e-3)
+    assert found.utilization == pytest.approx(used, rel=1e-3)
     assert found.words.endswith("it turns the slab without a force")
     (steps,) = (table for table in tables_of(of) if table.name == "calculations")
     assert follow(steps)

@@ -254,9 +254,9 @@ def test_two_meganewtons_on_a_thin_slab() -> None:
     design = check_design(replace(of, results=thin))
     (face,) = [each for each in design.checks if each.name == "punching at the column's face"]
     assert face.demand == pytest.approx((2e6 - 50e3 * 0.09) / (1.2 * 0.205) / 1e6)
-    assert face.utilisation == pytest.approx(1.92, abs=0.01)
+    assert face.utilization == pytest.approx(1.92, abs=0.01)
     assert design.headline.startswith("DESIGN FAILS: punching")
-    assert design.checks[0].utilisation == max(each.utilisation or 0.0 for each in design.checks)
+    assert design.checks[0].utilization == max(each.utilization or 0.0 for each in design.checks)
 
 
 def test_accidental_combinations_have_their_own_partial_factors() -> None:

@@ -131,7 +131,7 @@ def test_links_are_needed_where_the_concrete_is_not_enough_and_none_help_beyond(
     assert "m from the wall end (6.4.5(4), 6.54)" in needed.words
     failing = of_walls(punching.checks(results(q=1.6 / used * C)))
     assert failing.status == "fails"
-    assert failing.utilisation == pytest.approx(1.6 / 1.5, rel=1e-6)
+    assert failing.utilization == pytest.approx(1.6 / 1.5, rel=1e-6)
 
 
 def test_only_walls_that_press_or_pull_punch() -> None:
@@ -155,7 +155,7 @@ def test_a_wall_that_pulls_punches_upwards(code: str, v_Ed: str) -> None:
     row, pressed = row_of(table_of(pulled)), row_of(table_of(results(code)))
     assert (row["place"], row[v_Ed]) == ("end", pytest.approx(pressed[v_Ed], rel=1e-9))
     check = of_walls(punching.checks(pulled))
-    assert check.utilisation == pytest.approx(of_walls(punching.checks(results(code))).utilisation, rel=1e-9)
+    assert check.utilization == pytest.approx(of_walls(punching.checks(results(code))).utilization, rel=1e-9)
     assert check.words.endswith("it pulls and is taken as tied to the far face")
 
 
@@ -222,7 +222,7 @@ def test_calculations_by_en_1992() -> None:
     assert known["beta"] == 1.35
     assert known["rho_l"] == 0.02
     assert (known["v_Ed"], known["v_Rd"]) == pytest.approx((check.demand, check.resistance))
-    assert known["eta"] == pytest.approx(check.utilisation)
+    assert known["eta"] == pytest.approx(check.utilization)
 
 
 def test_calculations_by_aci_318() -> None:
@@ -235,4 +235,4 @@ def test_calculations_by_aci_318() -> None:
     assert known["beta_e"] == 1.35
     assert known["v_u"] == pytest.approx(check.demand)
     assert known["phi"] * known["v_c"] == pytest.approx(check.resistance)
-    assert known["eta"] == pytest.approx(check.utilisation)
+    assert known["eta"] == pytest.approx(check.utilization)

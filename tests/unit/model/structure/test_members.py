@@ -165,7 +165,7 @@ def test_struts_and_least_bars_of_stiff_walls(code: str, least: float, borne: fl
     found = gs.check_design(solved)
     (check,) = (each for each in found.checks if each.name == "walls")
     assert check.status == "no failure found"
-    assert check.utilisation == pytest.approx(table["share used"][0])
+    assert check.utilization == pytest.approx(table["share used"][0])
     assert "ties, forces along and across" in found.headline
 
 

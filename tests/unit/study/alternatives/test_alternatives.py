@@ -126,8 +126,8 @@ def test_utilizations_are_those_of_the_case_that_is_written(name: str) -> None:
     design = check_design(results)
     used = dict[str, float]()
     for check in design.checks:
-        if check.utilisation is not None:
-            used[check.name] = max(check.utilisation, used.get(check.name, 0.0))
+        if check.utilization is not None:
+            used[check.name] = max(check.utilization, used.get(check.name, 0.0))
     assert alternative.utilizations == pytest.approx(used)
     assert alternative.status == design.status
     assert ("punching around thicker zones within 2 d" in used) == name.startswith("drop panels")

@@ -63,11 +63,11 @@ def words_of(figure: Any) -> str:
 def test_one_panel_over_all_ultimate_combinations() -> None:
     """Beside a settlement for each combination there is one panel of each field of bars, with its values and unit."""
     of = results(**LAID)
-    wanted = request(of, "settlement", "required_bottom_x", "utilisation_bottom_x")
+    wanted = request(of, "settlement", "required_bottom_x", "utilization_bottom_x")
     panels = build_panels(wanted)
     assert [panel.quantity.name for panel in panels] == ["settlement"] * 3 + [
         "required_bottom_x",
-        "utilisation_bottom_x",
+        "utilization_bottom_x",
     ]
     assert panels[3].source == "All 2 ultimate combinations"
     assert panels[3].values == pytest.approx(bar_fields(of)["required_bottom_x"] * 1e4)
@@ -78,10 +78,10 @@ def test_one_panel_over_all_ultimate_combinations() -> None:
     assert "zone of further bars" not in words_of(plots.plot(of, "provided_bottom_x"))
     shape = {"kind": "circle", "radius": 1}
     zone = {"name": "Z", "shape": shape, "layers": ["bottom_x"], "diameter": 0.02, "spacing": 0.1}
-    figure = plots.plot(results(**LAID, zones=[zone]), "utilisation_bottom_x", "missing_top_y")
+    figure = plots.plot(results(**LAID, zones=[zone]), "utilization_bottom_x", "missing_top_y")
     words = words_of(figure)
     assert words.count("zone of further bars") == 1
-    assert "Utilisation bottom x" in words
+    assert "Utilization bottom x" in words
     assert "Missing area top y" in words
 
 
@@ -109,7 +109,7 @@ def test_each_field_has_a_panel_with_its_unit() -> None:
         (LAID, ["required_top_x"], {"envelope": "ultimate"}, "none chosen, as it is over all ultimate combinations"),
         (LAID, ["required_top_x"], {"combination": "one"}, "none chosen, as it is over all ultimate combinations"),
         (LAID, ["required_top_x"], {"kind": "deformed"}, 'a field of combinations, as kind is "deformed"'),
-        ({**LAID, "f_ck": 12e6}, ["utilisation_bottom_x"], {}, "finite areas; somewhere no reinforcement is enough"),
+        ({**LAID, "f_ck": 12e6}, ["utilization_bottom_x"], {}, "finite areas; somewhere no reinforcement is enough"),
     ],
 )
 def test_what_is_refused(steel: dict[str, Any], fields: list[str], options: dict[str, Any], found: str) -> None:
@@ -130,9 +130,9 @@ def test_scene_has_them_in_every_combination() -> None:
     scene = scene_of(of)
     names = [field["name"] for field in scene.head["fields"]]
     assert [name for name in names if name in BAR_FIELDS] == list(BAR_FIELDS)
-    blocks = [each["values"]["utilisation_bottom_x"] for each in scene.head["combinations"]]
+    blocks = [each["values"]["utilization_bottom_x"] for each in scene.head["combinations"]]
     assert blocks[0] == blocks[1] == blocks[2]
-    wanted = bar_fields(of)["utilisation_bottom_x"] * 100
+    wanted = bar_fields(of)["utilization_bottom_x"] * 100
     assert values_of(scene, blocks[0]) == pytest.approx(wanted, abs=np.ptp(wanted) / 1e4)
     one = of.results["two"]
     weak = replace(one, plate=replace(one.plate, moment_x=one.plate.moment_x * 1000))

@@ -65,7 +65,7 @@ const GROUPS: readonly (readonly [label: string, starts: RegExp])[] = [
   ["Contact", /^(pressure|line_force|gap|penetration)/],
   ["Moments and shear", /^(moment|shear)/],
   ["Derived moments", /^(m_[12]|bottom|top)/],
-  ["Reinforcement", /^(required|provided|utilisation|missing)/],
+  ["Reinforcement", /^(required|provided|utilization|missing)/],
   ["Analysis", /^/],
 ];
 

@@ -167,8 +167,8 @@ export interface DesignCheck {
   name: string;
   status: "fails" | "attention" | "no failure found" | "not checked";
   words: string;
-  utilisation: number | null;
-  /** The least and the greatest utilisation within the discretization error; null where none is told. */
+  utilization: number | null;
+  /** The least and the greatest utilization within the discretization error; null where none is told. */
   between: [number, number | null] | null;
   /** The status, and whether it hangs on the discretization error. */
   verdict: string;

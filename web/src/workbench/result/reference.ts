@@ -25,7 +25,7 @@ export function changeOf(before: string, now: string): number | null {
   return (100 * (second - first)) / Math.abs(first);
 }
 
-/** Return the figures that both results have in a combination, then the utilisations of their checks. */
+/** Return the figures that both results have in a combination, then the utilizations of their checks. */
 export function compareFigures(reference: Summary, shown: Summary, combination: string): ComparedFigure[] {
   const [before, now] = [reference, shown].map((summary) => figuresOf(summary, combination));
   return [...now!].flatMap(([key, figure]) => {
@@ -45,12 +45,12 @@ function figuresOf({ combinations, design }: Summary, name: string): Map<string,
       if (value !== null && value !== "" && Number.isFinite(Number(value)))
         figures.set(`${section.title} ${label} ${symbol} ${unit}`, { label, symbol, unit, value: String(value) });
   for (const check of design?.checks ?? [])
-    if (check.utilisation !== null)
+    if (check.utilization !== null)
       figures.set(say("check {check}", { check: check.name }), {
-        label: say("utilisation, {check}", { check: check.name }),
+        label: say("utilization, {check}", { check: check.name }),
         symbol: "",
         unit: "",
-        value: check.utilisation.toFixed(2),
+        value: check.utilization.toFixed(2),
       });
   return figures;
 }

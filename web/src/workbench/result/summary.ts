@@ -7,7 +7,7 @@ import { symbolElement } from "../../viewer/shared/symbols";
 import type { CombinationSummary, DesignCheck, Summary, SummaryRow } from "../client/api";
 import type { Json } from "../model/paths";
 
-/** The checks of the design, each with its utilisation: what fails or needs attention comes first. */
+/** The checks of the design, each with its utilization: what fails or needs attention comes first. */
 function designOf(summary: Summary | null): HTMLElement[] {
   const design = summary?.design;
   if (!design) return [];
@@ -18,7 +18,7 @@ function designOf(summary: Summary | null): HTMLElement[] {
       "tr",
       { class: check.status === "fails" ? "bad" : "" },
       h("th", { scope: "row" }, verbatim(check.name)),
-      h("td", {}, check.utilisation === null ? "" : check.utilisation.toFixed(2)),
+      h("td", {}, check.utilization === null ? "" : check.utilization.toFixed(2)),
       h("td", { class: "unit" }, betweenText(check)),
       h(
         "td",
@@ -38,10 +38,10 @@ function hangs(check: DesignCheck): boolean {
   return check.verdict !== check.status;
 }
 
-/** Return between which values the utilisation is within the discretization error, empty where it has none. */
-export function betweenText({ utilisation, between }: DesignCheck): string {
-  if (between === null || utilisation === null || between[0] === between[1]) return "";
-  const [used, low, high] = [utilisation, ...between].map((value) => (value === null ? "∞" : value.toFixed(2)));
+/** Return between which values the utilization is within the discretization error, empty where it has none. */
+export function betweenText({ utilization, between }: DesignCheck): string {
+  if (between === null || utilization === null || between[0] === between[1]) return "";
+  const [used, low, high] = [utilization, ...between].map((value) => (value === null ? "∞" : value.toFixed(2)));
   return low === used && high === used ? "±<0.01" : say("{from} to {to}", { from: low!, to: high! });
 }
 

@@ -26,7 +26,7 @@ const { head } = sceneOf(grid(1, 1), [{ name: "dead" }], { bars: BARS });
 head.combinations[0]!.reactions = [{ at: [2, 3], text: "↑ 520 kN, M_x = 3 kNm" }];
 
 it("a field is of the layer that its name ends with", () => {
-  expect(["required_bottom_x", "top_y", "utilisation_top_y", "moment_x", "settlement"].map(layerOf)).toEqual([
+  expect(["required_bottom_x", "top_y", "utilization_top_y", "moment_x", "settlement"].map(layerOf)).toEqual([
     "bottom_x",
     "top_y",
     "top_y",

@@ -2,11 +2,11 @@ import { describe, expect, it } from "vitest";
 import type { Summary } from "../../../src/workbench/client/api";
 import { changeOf, compareFigures } from "../../../src/workbench/result/reference";
 
-const summary = (value: string, utilisation: number): Summary => ({
+const summary = (value: string, utilization: number): Summary => ({
   design: {
     status: "attention",
     headline: "",
-    checks: [{ name: "punching", status: "attention", words: "", utilisation, between: null, verdict: "attention" }],
+    checks: [{ name: "punching", status: "attention", words: "", utilization, between: null, verdict: "attention" }],
   },
   combinations: [
     {
@@ -34,7 +34,7 @@ describe("a reference", () => {
     expect(found.map(({ label, before, now }) => [label, before, now])).toEqual([
       ["largest", "8.0000", "10.000"],
       ["largest", "3", "3"],
-      ["utilisation, punching", "0.50", "0.40"],
+      ["utilization, punching", "0.50", "0.40"],
     ]);
     expect(found.map(({ change }) => change?.toFixed(6))).toEqual(["25.000000", "0.000000", "-20.000000"]);
     expect(compareFigures(summary("1", 0.5), summary("1", 0.5), "other")).toHaveLength(1);

@@ -8,13 +8,13 @@ const check = (about: Partial<DesignCheck>): DesignCheck => ({
   status: "no failure found",
   verdict: "no failure found",
   words: "v_Ed",
-  utilisation: 0.97,
+  utilization: 0.97,
   between: [0.93, 1.01],
   ...about,
 });
 
 describe("a check in the summary", () => {
-  it("says between which values its utilisation is", () => {
+  it("says between which values its utilization is", () => {
     expect(betweenText(check({}))).toBe("0.93 to 1.01");
     expect(betweenText(check({ between: [0.969, 0.971] }))).toBe("±<0.01");
     expect(betweenText(check({ between: [0.97, 0.97] }))).toBe("");

@@ -86,8 +86,8 @@ def test_dowels_of_a_joint(dowels: dict[str, Any]) -> None:
     most = min(shear_resistance(dowel), bending_resistance(dowel, 20e6, dowels["opening"] / 2))
     assert check.resistance == pytest.approx(most / 1e3)
     known = follow_steps(check.steps)
-    assert (known["eta"], known["P_R"]) == (pytest.approx(check.utilisation), pytest.approx(most / 1e6))
-    assert check.status == ("fails" if check.utilisation > 1 else "no failure found")
+    assert (known["eta"], known["P_R"]) == (pytest.approx(check.utilization), pytest.approx(most / 1e6))
+    assert check.status == ("fails" if check.utilization > 1 else "no failure found")
     assert "bursting of the concrete at dowels is not checked" in check_design(bays(dowels, q=0.0)).headline
 
 
@@ -96,7 +96,7 @@ def test_dowels_that_are_too_far_apart_fail() -> None:
     one, two = (rows(dowel_checks.DOWELS, bays(ROUND | {"spacing": s}, q=60e3))[0] for s in (0.3, 0.6))
     assert two.demand == pytest.approx(2 * one.demand)
     (far,) = rows(dowel_checks.DOWELS, bays(ROUND | {"spacing": 2.0}, q=100e3))
-    assert (far.status, far.utilisation > 1) == ("fails", True)
+    assert (far.status, far.utilization > 1) == ("fails", True)
 
 
 def test_the_concrete_around_dowels() -> None:
@@ -104,7 +104,7 @@ def test_the_concrete_around_dowels() -> None:
     (by_floor,) = rows(dowel_checks.DOWELS, bays(ROUND, floor=FLOOR))
     assert follow_steps(by_floor.steps)["f_cd"] == pytest.approx(35 / 1.5)
     (bare,) = rows(dowel_checks.DOWELS, bays(ROUND, reinforcement=None))
-    assert (bare.status, bare.utilisation) == ("attention", None)
+    assert (bare.status, bare.utilization) == ("attention", None)
     assert bare.words.startswith("not judged: neither [floor] by TR34 nor [reinforcement] gives the concrete")
 
 
