@@ -8,30 +8,48 @@ from math import sqrt
 from groundslab.errors import Edit, Repair
 from groundslab.geometry.plan import MOST_ELEMENTS
 from groundslab.geometry.validity import TOO_CLOSE, find_issues
+from groundslab.model import varying_ground
+from groundslab.model.axes.families import check_axes
+from groundslab.model.design.floors import check_floor
 from groundslab.model.design.limits import SoilStrength
+from groundslab.model.design.reinforcement import check_bar_distances, check_bar_zones
 from groundslab.model.ground import AnyGround, ContinuousGround, Continuum, Layered, SoilLayer, Winkler, carry_shear
-from groundslab.model.loads.load_cases import Combination, LoadCase, check_case_names, check_factors
+from groundslab.model.loads.beside import check_ground_loads
+from groundslab.model.loads.clipping import check_distributed_loads
+from groundslab.model.loads.en1990 import check_combine
+from groundslab.model.loads.load_cases import (
+    Combination,
+    LoadCase,
+    check_case_names,
+    check_design_combinations,
+    check_factors,
+)
 from groundslab.model.loads.load_types import AnyLoad, SettlementLoad, is_zero
-from groundslab.model.loads.patterns import Move
-from groundslab.model.loads.placement import on_plate
+from groundslab.model.loads.patterns import Move, check_patterns, check_positions
+from groundslab.model.loads.placement import check_load_columns, check_load_walls, check_point_loads, on_plate
+from groundslab.model.outputs import check_output, check_wall_limits
 from groundslab.model.plate import Plate
-from groundslab.model.plates.joints import AnyJoint
-from groundslab.model.plates.other_plates import FurtherPlate, bounds_of, list_plates, shared_line
+from groundslab.model.plates.joints import AnyJoint, check_joints
+from groundslab.model.plates.other_plates import FurtherPlate, bounds_of, check_plates, list_plates, shared_line
 from groundslab.model.plates.region import PlateRegion
-from groundslab.model.serviceability.cracking import Cracking
+from groundslab.model.reactions import check_reactions
+from groundslab.model.serviceability.cracking import Cracking, check_cracking
 from groundslab.model.settings import SIDES, Beyond, Contact, Mesh
+from groundslab.model.structure.building import check_building
 from groundslab.model.structure.columns import Column
-from groundslab.model.structure.members import as_beam
+from groundslab.model.structure.members import as_beam, check_members
 from groundslab.model.structure.spans import spans_of
 from groundslab.model.structure.walls import Wall, WallFaces
 from groundslab.model.supports import (
     AnySupport,
     check_line_supports,
     check_names,
+    check_piles,
     check_support_distances,
     plan_of_plate,
 )
 from groundslab.model.varying_ground import Borehole, SoilZone
+from groundslab.schema.base import Check
 from groundslab.schema.issues import FieldError, RelativeIssue
 from groundslab.schema.repairs import remove, set_value, use_nearest
 from groundslab.schema.wording import describe, one_of, quote, suggestion
@@ -307,3 +325,65 @@ def check_glued_joints(
             repairs = (set_value(("contact", "tensionless"), True),)
             found = "an elastic joint without effect"
             yield RelativeIssue(("joints", position, "kind"), found, expected, hint, repairs)
+
+
+#: Of plates, joints and their mesh.
+PLATES: tuple[Check, ...] = (
+    check_plates,
+    check_joints,
+    check_axes,
+    check_sections_with_plates,
+    check_glued_joints,
+    check_contact_voids,
+    check_element_count,
+    check_surface_count,
+    check_mesh_counts,
+)
+#: Of loads, cases and combinations.
+LOADS: tuple[Check, ...] = (
+    check_plate_of_loads,
+    check_some_load_acts,
+    check_point_loads,
+    check_distributed_loads,
+    check_ground_loads,
+    check_load_cases,
+    check_combinations,
+    check_combine,
+    check_load_columns,
+    check_load_walls,
+    check_patterns,
+    check_positions,
+    check_settlement_loads,
+    check_reactions,
+)
+#: Of columns, walls, beams, the building and supports.
+MEMBERS: tuple[Check, ...] = (
+    check_columns,
+    check_walls,
+    check_members,
+    check_building,
+    check_supports,
+    check_supports_on_joints,
+    check_piles,
+)
+#: Of the ground.
+GROUND: tuple[Check, ...] = (
+    check_shear_of_layers,
+    check_continuum,
+    varying_ground.check_soil_zone_types,
+    varying_ground.check_soil_zone_extent,
+    varying_ground.check_soil_depth,
+    varying_ground.check_boreholes,
+)
+#: Of what is asked of the results.
+DESIGN: tuple[Check, ...] = (
+    check_output,
+    check_wall_limits,
+    check_bar_distances,
+    check_bar_zones,
+    check_cracking,
+    check_design_combinations,
+    check_floor,
+)
+#: Each is given the sections that it names, and runs where these are right, whatever is wrong with others.
+CHECKS: tuple[Check, ...] = (*PLATES, *LOADS, *MEMBERS, *GROUND, *DESIGN)

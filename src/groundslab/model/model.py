@@ -13,36 +13,33 @@ from groundslab.geometry.plan import Place, Ring, Segment
 from groundslab.languages import Language
 from groundslab.model import consistency, varying_ground
 from groundslab.model.axes.crossings import attach_to_axes
-from groundslab.model.axes.families import AxesFamily, check_axes
-from groundslab.model.design.floors import Floor, check_floor
+from groundslab.model.axes.families import AxesFamily
+from groundslab.model.design.floors import Floor
 from groundslab.model.design.limits import Limits, SoilStrength
-from groundslab.model.design.reinforcement import Reinforcement, check_bar_distances, check_bar_zones
+from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.model.ground import Ground, carry_shear
 from groundslab.model.loads.acting import Acting
-from groundslab.model.loads.beside import check_ground_loads
-from groundslab.model.loads.clipping import check_distributed_loads
-from groundslab.model.loads.en1990 import check_combine
 from groundslab.model.loads.lines import LineLoad, LineMoment
-from groundslab.model.loads.load_cases import Combination, Combine, LoadCase, check_design_combinations
+from groundslab.model.loads.load_cases import Combination, Combine, LoadCase
 from groundslab.model.loads.load_types import AnyLoad, Load, PointLoad, SelfWeight
-from groundslab.model.loads.patterns import Move, Pattern, check_patterns, check_positions
-from groundslab.model.loads.placement import check_load_columns, check_load_walls, check_point_loads, weights_of
-from groundslab.model.outputs import Output, Project, Report, check_output, check_wall_limits
+from groundslab.model.loads.patterns import Move, Pattern
+from groundslab.model.loads.placement import weights_of
+from groundslab.model.outputs import Output, Project, Report
 from groundslab.model.plate import Plate
-from groundslab.model.plates.joints import Joint, check_joints
-from groundslab.model.plates.other_plates import AnyPlate, FurtherPlate, bounds_of, check_plates, list_plates
-from groundslab.model.reactions import Reactions, check_reactions
-from groundslab.model.serviceability.cracking import Cracking, check_cracking
+from groundslab.model.plates.joints import Joint
+from groundslab.model.plates.other_plates import AnyPlate, FurtherPlate, bounds_of, list_plates
+from groundslab.model.reactions import Reactions
+from groundslab.model.serviceability.cracking import Cracking
 from groundslab.model.serviceability.long_term import LongTerm, scale_stiffnesses
 from groundslab.model.settings import Analysis, Beyond, Contact, Mesh
 from groundslab.model.structure.beams import Beam
-from groundslab.model.structure.building import Building, bases, check_building
+from groundslab.model.structure.building import Building, bases
 from groundslab.model.structure.columns import Column
 from groundslab.model.structure.frame_plan import frame_lines
-from groundslab.model.structure.members import as_beam, check_members, members_of, wall_of_members
+from groundslab.model.structure.members import as_beam, members_of, wall_of_members
 from groundslab.model.structure.spans import Ways, spans_as_segments, spans_of
 from groundslab.model.structure.walls import Wall, place_walls
-from groundslab.model.supports import Support, check_piles
+from groundslab.model.supports import Support
 from groundslab.schema import reference
 from groundslab.schema.base import Check, Section
 from groundslab.schema.fields import Text
@@ -60,51 +57,7 @@ def _annex_of_actions(combine: Combine | None, reinforcement: Reinforcement | No
 class Model(Section):
     """A model: plate, ground, loads, combinations, and settings of the analysis."""
 
-    checks: ClassVar[tuple[Check, ...]] = (
-        check_plates,
-        check_joints,
-        check_axes,
-        consistency.check_plate_of_loads,
-        consistency.check_sections_with_plates,
-        consistency.check_supports_on_joints,
-        consistency.check_glued_joints,
-        consistency.check_shear_of_layers,
-        consistency.check_continuum,
-        consistency.check_some_load_acts,
-        check_point_loads,
-        check_distributed_loads,
-        check_ground_loads,
-        consistency.check_contact_voids,
-        consistency.check_element_count,
-        consistency.check_surface_count,
-        consistency.check_mesh_counts,
-        consistency.check_load_cases,
-        consistency.check_combinations,
-        check_combine,
-        consistency.check_columns,
-        check_load_columns,
-        consistency.check_walls,
-        check_load_walls,
-        check_patterns,
-        check_positions,
-        consistency.check_supports,
-        check_piles,
-        check_members,
-        check_building,
-        consistency.check_settlement_loads,
-        varying_ground.check_soil_zone_types,
-        varying_ground.check_soil_zone_extent,
-        varying_ground.check_soil_depth,
-        varying_ground.check_boreholes,
-        check_output,
-        check_wall_limits,
-        check_bar_distances,
-        check_bar_zones,
-        check_cracking,
-        check_design_combinations,
-        check_floor,
-        check_reactions,
-    )
+    checks: ClassVar[tuple[Check, ...]] = consistency.CHECKS
 
     title: Annotated[str, Text("title of the problem")] = ""
     project: Annotated[Project | None, Table("title block of the report")] = None
