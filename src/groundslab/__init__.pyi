@@ -37,6 +37,7 @@ from .model.axes.families import RayAxes as RayAxes
 from .model.axes.families import RingAxes as RingAxes
 from .model.axes.families import StraightAxes as StraightAxes
 from .model.combinations import place_patterns as place_patterns
+from .model.cracking import Cracking as Cracking
 from .model.design.bars import Bars as Bars
 from .model.design.bars import BarZone as BarZone
 from .model.design.detailing import AllowedBars as AllowedBars
@@ -46,7 +47,7 @@ from .model.design.floors import TR34Floor as TR34Floor
 from .model.design.limits import Limits as Limits
 from .model.design.limits import SoilStrength as SoilStrength
 from .model.design.reinforcement import Reinforcement as Reinforcement
-from .model.design.restraint import Restraint as Restraint
+from .model.design.reinforcement import Restraint as Restraint
 from .model.ground import ConstrainedModulus as ConstrainedModulus
 from .model.ground import Continuum as Continuum
 from .model.ground import HalfSpace as HalfSpace
@@ -74,6 +75,7 @@ from .model.loads.patterns import Move as Move
 from .model.loads.patterns import Rack as Rack
 from .model.loads.patterns import Vehicle as Vehicle
 from .model.loads.patterns import Wheel as Wheel
+from .model.long_term import LongTerm as LongTerm
 from .model.model import Model as Model
 from .model.outputs import Output as Output
 from .model.outputs import OutputLine as OutputLine
@@ -94,8 +96,6 @@ from .model.reactions import Reactions as Reactions
 from .model.reactions import ReactionSupport as ReactionSupport
 from .model.remarks.remarks import Remark as Remark
 from .model.remarks.remarks import find_remarks as find_remarks
-from .model.serviceability.cracking import Cracking as Cracking
-from .model.serviceability.long_term import LongTerm as LongTerm
 from .model.settings import Analysis as Analysis
 from .model.settings import Beyond as Beyond
 from .model.settings import Contact as Contact

@@ -10,9 +10,9 @@ from scipy.integrate import solve_bvp
 
 from groundslab.analysis.driver import Variants, solve
 from groundslab.case import casefile
-from groundslab.discretize.serviceability.cracking import cracked_sections
+from groundslab.discretize.cracking import cracked_sections
 from groundslab.errors import InputError
-from groundslab.fem.concrete.cracked_section import CrackedSections
+from groundslab.fem.cracked_section import CrackedSections
 from groundslab.model.model import Model
 from groundslab.results.fields import LAYERS
 from groundslab.results.results import CombinationResult

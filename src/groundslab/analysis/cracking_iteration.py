@@ -12,7 +12,7 @@ from groundslab.analysis.gamma_iteration import solve_load_step
 from groundslab.analysis.load_step import LoadStep, OnStep
 from groundslab.analysis.mesh_hierarchy import Level, MeshHierarchy
 from groundslab.errors import NoEquilibrium, NotConverged, SingularMatrix
-from groundslab.fem.concrete.cracked_section import decisive_moments, effective_stiffness, law_error, secant_stiffness
+from groundslab.fem.cracked_section import decisive_moments, effective_stiffness, law_error, secant_stiffness
 from groundslab.results.records import Certificate
 from groundslab.solvers.cracking import laws, mean_moments, with_stiffness
 from groundslab.solvers.solution import Solution

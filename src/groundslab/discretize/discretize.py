@@ -19,10 +19,10 @@ from groundslab.discretize.constraints import (
     support_bearing,
 )
 from groundslab.discretize.continuum.pressure_cells import elastic_ground
+from groundslab.discretize.cracking import cracked_sections
 from groundslab.discretize.ground import Factors, carries_shear, ground_under, grounds_of, surfaces_of
 from groundslab.discretize.nodal_loads import loadings, materials
 from groundslab.discretize.plan_layout import AXIS, OUTWARD, Layout, Meshes, layout
-from groundslab.discretize.serviceability.cracking import cracked_sections
 from groundslab.discretize.voids import find_depths, initial_gap
 from groundslab.fem import plate
 from groundslab.fem.assembly import number_unknowns

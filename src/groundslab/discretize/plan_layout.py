@@ -10,15 +10,17 @@ import numpy as np
 
 from groundslab.arrays import Array, Integers
 from groundslab.discretize.plan.borders import add_borders, on_lines
-from groundslab.discretize.plan.graded_lines import distances_beyond_edge, towards_edges
 from groundslab.discretize.plan.load_borders import follow_kinks, follow_loads
 from groundslab.discretize.symmetry import symmetries
 from groundslab.fem.foundation import Column, decay_length, edge_decay
 from groundslab.fem.hanging import connect
 from groundslab.fem.mesh import (
+    GRADING,
     Mesh,
+    divide_graded,
     extrude,
     first_at_place,
+    graded_size,
     grid,
     separate,
     sides_on_boundary,
@@ -400,3 +402,20 @@ def _outer_sides(model: Model, symmetry: tuple[bool, bool], mesh: Mesh) -> tuple
         outer.append(on_side)
         axes.append(np.full(len(on_side), axis))
     return np.concatenate(outer), np.concatenate(axes)
+
+
+def towards_edges(low: float, high: float, size: float, edges: Array, edge_size: float) -> Array:
+    """Return lines from low to high [m], at most `size` apart, which come as close as `edge_size` at the edges (e,)."""
+    limit = graded_size(edges, edge_size)
+    return np.append(low, divide_graded(lambda x: np.minimum(size, limit(x)), low, high))
+
+
+def distances_beyond_edge(width: float, first: float, size: float, scale: float) -> Array:
+    """Return the distances of lines from the edge that they follow, up to the last one at `width` [m].
+
+    Intervals are at most `first` long at the edge and grow as fast as elements may, but at the distance d they are at
+    most size * (1 + d / scale). There are two at least.
+    """
+    return divide_graded(
+        lambda d: np.minimum(np.minimum(first + GRADING * d, size * (1 + d / scale)), width / 2), 0.0, width
+    )

@@ -10,6 +10,7 @@ from groundslab.geometry.plan import MOST_ELEMENTS
 from groundslab.geometry.validity import TOO_CLOSE, find_issues
 from groundslab.model import varying_ground
 from groundslab.model.axes.families import check_axes
+from groundslab.model.cracking import Cracking, check_cracking
 from groundslab.model.design.floors import check_floor
 from groundslab.model.design.limits import SoilStrength
 from groundslab.model.design.reinforcement import check_bar_distances, check_bar_zones
@@ -33,7 +34,6 @@ from groundslab.model.plates.joints import AnyJoint, check_joints
 from groundslab.model.plates.other_plates import FurtherPlate, bounds_of, check_plates, list_plates, shared_line
 from groundslab.model.plates.region import PlateRegion
 from groundslab.model.reactions import check_reactions
-from groundslab.model.serviceability.cracking import Cracking, check_cracking
 from groundslab.model.settings import SIDES, Beyond, Contact, Mesh
 from groundslab.model.structure.building import check_building
 from groundslab.model.structure.columns import Column

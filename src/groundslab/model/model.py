@@ -14,6 +14,7 @@ from groundslab.languages import Language
 from groundslab.model import consistency, varying_ground
 from groundslab.model.axes.crossings import attach_to_axes
 from groundslab.model.axes.families import AxesFamily
+from groundslab.model.cracking import Cracking
 from groundslab.model.design.floors import Floor
 from groundslab.model.design.limits import Limits, SoilStrength
 from groundslab.model.design.reinforcement import Reinforcement
@@ -24,18 +25,16 @@ from groundslab.model.loads.load_cases import Combination, Combine, LoadCase
 from groundslab.model.loads.load_types import AnyLoad, Load, PointLoad, SelfWeight
 from groundslab.model.loads.patterns import Move, Pattern
 from groundslab.model.loads.placement import weights_of
+from groundslab.model.long_term import LongTerm, scale_stiffnesses
 from groundslab.model.outputs import Output, Project, Report
 from groundslab.model.plate import Plate
 from groundslab.model.plates.joints import Joint
 from groundslab.model.plates.other_plates import AnyPlate, FurtherPlate, bounds_of, list_plates
 from groundslab.model.reactions import Reactions
-from groundslab.model.serviceability.cracking import Cracking
-from groundslab.model.serviceability.long_term import LongTerm, scale_stiffnesses
 from groundslab.model.settings import Analysis, Beyond, Contact, Mesh
 from groundslab.model.structure.beams import Beam
-from groundslab.model.structure.building import Building, bases
+from groundslab.model.structure.building import Building, bases, frame_lines
 from groundslab.model.structure.columns import Column
-from groundslab.model.structure.frame_plan import frame_lines
 from groundslab.model.structure.members import as_beam, members_of, wall_of_members
 from groundslab.model.structure.spans import Ways, spans_as_segments, spans_of
 from groundslab.model.structure.walls import Wall, place_walls

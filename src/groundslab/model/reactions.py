@@ -12,10 +12,9 @@ from groundslab.model.loads.load_cases import LoadCase
 from groundslab.model.structure.columns import Column
 from groundslab.model.structure.walls import Wall
 from groundslab.schema.base import Check, Section
-from groundslab.schema.fields import Boolean, Choice, ListOf, Quantity, Text
+from groundslab.schema.fields import Boolean, Choice, ListOf, Quantity, Text, list_quantities
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.places import place_in_plan
-from groundslab.schema.quantity_lists import list_quantities
 from groundslab.schema.ranges import Range
 from groundslab.schema.repairs import use_nearest
 from groundslab.schema.section_fields import Table

@@ -399,3 +399,17 @@ class Factors(FieldType):
     def json_schema(self) -> dict[str, Any]:
         """Return an object of numbers."""
         return {"type": "object", "additionalProperties": self.EACH.json_schema(), "minProperties": 1}
+
+
+def list_quantities(
+    dimension: str,
+    symbol: str,
+    meaning: str,
+    members: Sequence[str],
+    limits: ranges.Range = ranges.ANY,
+    example: str = "",
+) -> ListOf:
+    """Return the type of a list of quantities of one dimension, as many as the names of what they are."""
+    return ListOf(
+        Quantity(dimension, symbol, "", limits, (), example), symbol, meaning, len(members), members=(*members,)
+    )

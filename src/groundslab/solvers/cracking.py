@@ -13,7 +13,7 @@ import numpy as np
 from groundslab.arrays import Array
 from groundslab.fem import plate
 from groundslab.fem.assembly import find_congruent, scatter
-from groundslab.fem.concrete.cracked_section import (
+from groundslab.fem.cracked_section import (
     CrackedSections,
     law_error,
     orthotropic_rigidity,

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy.optimize import brentq
 
-from groundslab.fem.concrete import cracked_section as cs
+from groundslab.fem import cracked_section as cs
 
 E_C, E_S = 11e9, 200e9
 SECTIONS = {

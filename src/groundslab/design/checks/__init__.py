@@ -13,6 +13,7 @@ from groundslab.design.checks import (
     bearings,
     coarse_mesh,
     displacements,
+    edge_force,
     equilibrium,
     fire,
     limits,
@@ -20,7 +21,6 @@ from groundslab.design.checks import (
     provided,
     strength,
 )
-from groundslab.design.checks.ground import edge_force
 from groundslab.design.checks.one_way_shear import shear
 from groundslab.design.codes.en1997 import checks as en1997
 from groundslab.design.codes.floors import checks as floors

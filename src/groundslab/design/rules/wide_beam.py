@@ -14,10 +14,10 @@ import numpy as np
 
 from groundslab.arrays import Array, Flags, Integers
 from groundslab.design.demands.by_plate import results_by_plate
+from groundslab.design.demands.design_moments import ratio_along
 from groundslab.design.demands.line_traversal import interpolation, pieces
 from groundslab.design.demands.perimeter_loads import effective_depth, footprint_of
 from groundslab.design.demands.perimeters import outline
-from groundslab.design.demands.principal_shear import ratio_along
 from groundslab.fem.mesh import Mesh
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.model.plates.region import PlateRegion

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from groundslab.arrays import Array, Integers
-from groundslab.fem.concrete.cracked_section import CrackedSections
+from groundslab.fem.cracked_section import CrackedSections
 from groundslab.fem.plate import PlateElement
 
 

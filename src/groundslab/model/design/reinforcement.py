@@ -1,4 +1,4 @@
-"""Concrete, steel and bars of the slab, and the code and annex by which they are checked."""
+"""Concrete, steel and bars of the slab, the code and annex by which they are checked, fire, and restraint."""
 
 from __future__ import annotations
 
@@ -7,8 +7,6 @@ from typing import Annotated, ClassVar, Literal, get_args
 
 from groundslab.model.design.bars import OTHER_MESH, Bars, BarZone, Layer, MeshName, bars_of_mesh
 from groundslab.model.design.detailing import AllowedBars, Detailing
-from groundslab.model.design.fire import FireClass, FireFrom
-from groundslab.model.design.restraint import Restraint
 from groundslab.model.ground import POSITIVE
 from groundslab.model.loads.annexes import AnnexName
 from groundslab.model.plate import Plate
@@ -17,9 +15,8 @@ from groundslab.model.plates.region import PlateRegion
 from groundslab.model.shapes import CHORD
 from groundslab.model.supports import check_names
 from groundslab.schema.base import Check, Section
-from groundslab.schema.fields import Boolean, Choice, ListOf, Number, Quantity
+from groundslab.schema.fields import Boolean, Choice, ListOf, Number, Quantity, list_quantities
 from groundslab.schema.issues import RelativeIssue
-from groundslab.schema.quantity_lists import list_quantities
 from groundslab.schema.ranges import Range
 from groundslab.schema.section_fields import Table
 from groundslab.units import coordinate
@@ -401,3 +398,30 @@ def check_bar_zones(
         if zone.bars.diameter / 2 >= least:
             expected = f"bars thinner than {2 * least!r} m, whose axes lie {least!r} m from the face"
             yield RelativeIssue(("reinforcement", "zones", position), f"bars of {zone.bars.diameter!r} m", expected)
+
+
+#: Carrying (R), and separating besides (E and I), for so many minutes.
+FireClass = Literal[
+    "R 30", "R 60", "R 90", "R 120", "R 180", "R 240",
+    "REI 30", "REI 60", "REI 90", "REI 120", "REI 180", "REI 240",
+]  # fmt: skip
+FireFrom = Literal["above", "below", "both"]
+
+
+#: Tensile strengths of concrete [Pa].
+TENSILE = Range(at_least=1e5, at_most=1e7)
+
+
+class Restraint(Section):
+    """Shortening by shrinkage and cooling that ground or building restrain: cracks through the whole thickness."""
+
+    f_ct_eff: Annotated[
+        float | None,
+        Quantity(
+            "pressure",
+            "f_ct,eff",
+            "tensile strength of the concrete when cracks are first expected; f_ctm by default",
+            TENSILE,
+            example="2.6 MPa",
+        ),
+    ] = None

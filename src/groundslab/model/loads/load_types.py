@@ -23,10 +23,9 @@ from groundslab.model.loads.lines import LineLoad, LineMoment
 from groundslab.model.shapes import AcrossX, AcrossY, AnyShape, Shape
 from groundslab.model.structure.columns import TURN, Column, check_angle, check_footprint, footprint
 from groundslab.schema.base import Check
-from groundslab.schema.fields import Boolean, Choice, Number, Quantity, Text
+from groundslab.schema.fields import Boolean, Choice, Number, Quantity, Text, list_quantities
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.places import coordinate, place_in_plan
-from groundslab.schema.quantity_lists import list_quantities
 from groundslab.schema.ranges import Range
 from groundslab.schema.section_fields import ByKind, Table
 

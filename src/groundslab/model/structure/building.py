@@ -29,6 +29,7 @@ if TYPE_CHECKING:
 
     from groundslab.arrays import Array
 
+
 #: A matrix is symmetric, and takes no forces when all that it stands on moves as a whole, but for this share of it:
 #: the digits of a printed one.
 DIGITS = 1e-3
@@ -398,3 +399,20 @@ def motions_of(every: Sequence[Base], each: int) -> Array:
     found[:, 1, 1] = found[:, 2, 2] = 1.0
     motions: Array = found[:, :each].reshape(-1, 3)
     return motions
+
+
+def frame_lines(building: Building | None, bases: Sequence[Base]) -> tuple[tuple[Place, ...], ...]:
+    """Return the places [m] that each of the building's beams runs through in plan, from base to base.
+
+    A beam begins on a wall where a frame has it.
+    """
+    known = {base.name: base for base in bases}
+    lines = []
+    for beams in building.beams if building else ():
+        line: list[Place] = []
+        for one, other in pairwise(known[name] for name in beams.through):
+            way = np.subtract(other.place, one.place)
+            ends = (one.place + one.arm(way), other.place + other.arm(-way))
+            line += [(float(x), float(y)) for x, y in ends]
+        lines.append(tuple(dict.fromkeys(line)))
+    return tuple(lines)

@@ -12,8 +12,8 @@ from groundslab.design.codes.en1992_2023 import bending, cracking, punching, she
 from groundslab.design.codes.en1992_2023.materials import Concrete, Steel
 from groundslab.design.codes.eurocode2.cracked_sections import Bars
 from groundslab.design.codes.eurocode2.struts import LEVER, Links
+from groundslab.design.demands.design_moments import principal_shear, ratio_along
 from groundslab.design.demands.line_properties import Shape
-from groundslab.design.demands.principal_shear import principal_shear, ratio_along
 
 
 def _without_links(f_ck: float, d: float, rho: float, f_yk: float = 500e6, d_lower: float = 0.016) -> float:

@@ -22,7 +22,7 @@ from groundslab.design.codes.en1992_2004.materials import Concrete, Steel
 from groundslab.design.codes.floors import resistance, strips, yield_lines
 from groundslab.design.codes.floors.yield_lines import Location
 from groundslab.design.demands.design_moments import wood_armer
-from groundslab.fem.concrete import cracked_section
+from groundslab.fem import cracked_section
 from groundslab.model.loads.en1990 import make_combinations
 from groundslab.model.loads.load_cases import Combine, LimitState, LoadCase
 from groundslab.verification.design_values.second_generation import VALUES_2023

@@ -29,9 +29,9 @@ from groundslab.design.checks.one_way_shear.faces import bearers
 from groundslab.design.checks.one_way_shear.necks import neck_cuts
 from groundslab.design.checks.one_way_shear.places import FORCES, Places, ShearPlaces, near_forces, nodes_of
 from groundslab.design.codes.registry import code_of
+from groundslab.design.demands.design_moments import principal_shear, ratio_along
 from groundslab.design.demands.edge_strip import plates_that_count, spread_edge_force
 from groundslab.design.demands.perimeter_loads import punching_columns, punching_piles
-from groundslab.design.demands.principal_shear import principal_shear, ratio_along
 from groundslab.design.demands.zones.thicker_zones import zone_forces
 from groundslab.design.rules.check import NO_PLACE, DesignCheck, Status, not_judged
 from groundslab.design.rules.combinations import ultimate_results

@@ -11,10 +11,14 @@ lambda_s = (2 / (1 + 0.004 d))^(1/2) <= 1 (22.5.5.1.3). A slab needs links where
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import numpy as np
 
 from groundslab.arrays import Array
+from groundslab.design.codes.aci318.materials import FORMULAS as OF_CONCRETE
 from groundslab.design.codes.aci318.materials import PHI_SHEAR, Concrete, Steel
+from groundslab.design.rules.calculation import MEGA, Step
 
 _MPA = 1e6
 #: v_c with links, and the most that links add, over (f'c)^(1/2) d (Table 22.5.5.1 (a), 22.5.1.2).
@@ -40,3 +44,12 @@ def links(v_u: float, d: float, concrete: Concrete, steel: Steel) -> float:
         return float("inf")
     least = max(0.0623 * concrete.root, 0.35 * _MPA) / steel.f_yt
     return float(max((v_u / PHI_SHEAR - WITH_LINKS * concrete.root * d) / (steel.f_yt * d), least))
+
+
+def concrete_in_shear(concrete: Concrete, d: float) -> Iterator[Step]:
+    """Yield strength, its root that counts, and the factor of size for an effective depth d [m]."""
+    yield Step("specified strength of the concrete", "f_c", concrete.f_c / MEGA, "MPa", clause="19.2.1.1")
+    yield Step("its root that counts", "r", concrete.root / MEGA, "MPa^0.5", OF_CONCRETE["root"], "22.5.3.1, 22.6.3.1")
+    formula = OF_CONCRETE["lambda_s"] if concrete.size_effect else ""
+    clause = "22.5.5.1.3" if concrete.size_effect else "13.2.6.2"
+    yield Step("factor of size", "lambda_s", concrete.lambda_s(d), "", formula, clause)

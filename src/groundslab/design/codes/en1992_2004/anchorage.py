@@ -15,7 +15,7 @@ alpha_6 is that of laps of all bars in one section.
 from __future__ import annotations
 
 from groundslab.design.codes.en1992_2004.materials import Concrete, Steel
-from groundslab.fem.concrete.materials import mean_tensile_strength
+from groundslab.fem.cracked_section import mean_tensile_strength
 
 _MPA = 1e6
 #: The strength that counts for bond (8.4.2(2)), the share of f_ctm that f_ctk,0.05 has (Table 3.1).

@@ -6,6 +6,7 @@ from groundslab.design.codes.en1992_2004 import beams, bending, detailing, shear
 from groundslab.design.codes.en1992_2004.checks import (
     bars,
     bending_steps,
+    fire,
     governing_perimeters,
     links,
     one_way_shear,
@@ -14,7 +15,6 @@ from groundslab.design.codes.en1992_2004.checks import (
     punching_steps,
     wall_ends,
 )
-from groundslab.design.codes.en1992_2004.checks.covers import fire
 from groundslab.design.codes.en1992_2004.checks.remarks import remarks
 from groundslab.design.codes.en1992_2004.materials_of_case import materials
 from groundslab.design.rules.bending import BendingRule

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from groundslab.design.codes.en1992_2004.annex import RECOMMENDED, Annex
 from groundslab.design.codes.eurocode2.materials import CONCRETE_CLASSES, STEEL_CLASSES, Steel, not_positive, outside
 from groundslab.errors import InputError
-from groundslab.fem.concrete.materials import mean_tensile_strength
+from groundslab.fem.cracked_section import mean_tensile_strength
 
 __all__ = ["CONCRETE_CLASSES", "STEEL_CLASSES", "Concrete", "Steel"]
 

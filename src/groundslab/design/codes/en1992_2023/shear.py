@@ -12,13 +12,16 @@ it is not here, which is on the safe side.
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 
 import numpy as np
 
 from groundslab.arrays import Array
+from groundslab.design.codes.en1992_2023.materials import FORMULAS as OF_CONCRETE
 from groundslab.design.codes.en1992_2023.materials import Concrete, Steel
 from groundslab.design.codes.eurocode2 import struts
 from groundslab.design.codes.eurocode2.struts import LEVER, LINKS, Links
+from groundslab.design.rules.calculation import MEGA, Step
 
 _MPA = 1e6
 #: The formulas of the functions here, with forces per width in MN/m, stresses in MPa, d and z in m, d_dg in mm.
@@ -62,3 +65,25 @@ def required_links(v: Array, d: Array, concrete: Concrete, steel: Steel, flattes
 def minimum_links(concrete: Concrete, steel: Steel) -> float:
     """Return the least links per area of the plan [m2/m2], 12.4, of class A of ductility, the most of all classes."""
     return 0.08 * math.sqrt(concrete.f_ck / _MPA) / (steel.f_yk / _MPA)
+
+
+def design_strength(concrete: Concrete) -> Iterator[Step]:
+    """Yield the steps to f_cd."""
+    yield Step("strength of the concrete", "f_ck", concrete.f_ck / MEGA, "MPa", clause="Table 5.1")
+    yield Step("partial factor", "gamma_C", concrete.gamma_c, clause="Table 4.3")
+    yield Step("factor of the time of loading", "k_tc", concrete.k_tc, clause="5.1.6(1)")
+    yield Step("factor of strong concrete", "eta_cc", concrete.eta_cc, "", OF_CONCRETE["eta_cc"], "5.1.6(1), 5.4")
+    yield Step("design strength", "f_cd", concrete.f_cd / MEGA, "MPa", OF_CONCRETE["f_cd"], "5.1.6(1), 5.3")
+
+
+def in_shear(concrete: Concrete, steel: Steel, d: float, depth: str = "d") -> Iterator[Step]:
+    """Yield the steps to tau_Rdc,min for an effective depth [m] that is called d or d_v."""
+    yield Step("strength of the concrete", "f_ck", concrete.f_ck / MEGA, "MPa", clause="Table 5.1")
+    yield Step("partial factor of shear", "gamma_V", concrete.gamma_v, clause="Table 4.3")
+    yield Step("least size of the coarsest aggregates", "D_lower", concrete.d_lower * 1e3, "mm", clause="8.2.1(4)")
+    formula = OF_CONCRETE["d_dg" if concrete.through == 1 else "d_dg, high strength"]
+    yield Step("roughness of cracks", "d_dg", concrete.d_dg * 1e3, "mm", formula, "8.2.1(4)")
+    yield Step("design yield strength", "f_yd", steel.f_yd / MEGA, "MPa", clause="5.2.4, 5.11")
+    least = float(minimum_resistance(concrete, steel, d)) / MEGA
+    formula = FORMULAS["tau_min"].replace("1000 * d)", f"1000 * {depth})")
+    yield Step("least resistance", "tau_min", least, "MPa", formula, "8.2.1(4), 8.20")

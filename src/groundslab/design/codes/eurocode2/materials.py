@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from groundslab.errors import InputError, Issue
-from groundslab.fem.concrete.materials import STEEL_MODULUS
+from groundslab.fem.cracked_section import STEEL_MODULUS
 from groundslab.model.design.reinforcement import Reinforcement
 
 _MPA = 1e6

@@ -17,7 +17,7 @@ from groundslab.design.codes.en1992_2004.shear import (
     required_links,
     resistance_without_links,
 )
-from groundslab.design.demands.principal_shear import principal_shear, ratio_along
+from groundslab.design.demands.design_moments import principal_shear, ratio_along
 
 #: The Concrete Centre, "How to design concrete structures using Eurocode 2", Table 7 of slabs (7A on its pages on
 #: shear): v_Rd,c / d [MPa] of C30/37 by ratio of bars [%] over effective depth [mm].

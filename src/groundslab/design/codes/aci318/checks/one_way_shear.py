@@ -8,10 +8,10 @@ import numpy as np
 
 from groundslab.arrays import Array
 from groundslab.design.codes.aci318 import shear
-from groundslab.design.codes.aci318.checks.concrete_steps import concrete_in_shear
 from groundslab.design.codes.aci318.checks.two_way_demand import pile_two_way, zone_two_way
 from groundslab.design.codes.aci318.materials import PHI_SHEAR
 from groundslab.design.codes.aci318.materials_of_case import materials
+from groundslab.design.codes.aci318.shear import concrete_in_shear
 from groundslab.design.demands.perimeter_loads import Reach, punching_piles, reach_without
 from groundslab.design.demands.zones.thicker_zones import zone_forces
 from groundslab.design.rules.calculation import MEGA, Step

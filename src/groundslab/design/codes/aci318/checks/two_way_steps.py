@@ -8,11 +8,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from groundslab.design.codes.aci318 import punching as aci318
-from groundslab.design.codes.aci318.checks.concrete_steps import concrete_in_shear
 from groundslab.design.codes.aci318.checks.two_way_demand import TwoWay, strength, used
 from groundslab.design.codes.aci318.checks.wall_ends import WALL_STRESS
 from groundslab.design.codes.aci318.materials import PHI_SHEAR, Concrete, Steel
 from groundslab.design.codes.aci318.materials_of_case import materials
+from groundslab.design.codes.aci318.shear import concrete_in_shear
 from groundslab.design.rules.calculation import MEGA, SAME, Step, punching_force
 from groundslab.design.rules.punching_links.demand import Support
 from groundslab.messages import Message

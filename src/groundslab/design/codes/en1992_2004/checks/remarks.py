@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from groundslab.design.codes.en1992_2004.annex import file_of
-from groundslab.design.codes.en1992_2004.checks.cracks.restraint import without_bars
+from groundslab.design.codes.en1992_2004.checks.restraint import without_bars
 from groundslab.design.rules.check import DesignCheck
 from groundslab.design.rules.combinations import solved_results
 from groundslab.messages import Clause, Message

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from groundslab.design.codes.en1992_2023.bending import FORMULAS, STRESS
-from groundslab.design.codes.en1992_2023.checks.concrete_steps import design_strength
 from groundslab.design.codes.en1992_2023.materials import EPS_C2, EPS_CU
 from groundslab.design.codes.en1992_2023.materials_of_case import materials
+from groundslab.design.codes.en1992_2023.shear import design_strength
 from groundslab.design.rules import bending_steps
 from groundslab.design.rules.bending_steps import BarsNeeded
 from groundslab.design.rules.calculation import MEGA, Step

@@ -8,9 +8,9 @@ import numpy as np
 
 from groundslab.arrays import Array
 from groundslab.design.codes.en1992_2023 import shear
-from groundslab.design.codes.en1992_2023.checks.concrete_steps import in_shear
 from groundslab.design.codes.en1992_2023.checks.punching_demand import column_demands, pile_demands, zone_demands
 from groundslab.design.codes.en1992_2023.materials_of_case import flattest, materials
+from groundslab.design.codes.en1992_2023.shear import in_shear
 from groundslab.design.codes.eurocode2.struts import LEVER
 from groundslab.design.demands.perimeter_loads import Reach, punching_columns, punching_piles, reach_without
 from groundslab.design.demands.zones.thicker_zones import zone_forces

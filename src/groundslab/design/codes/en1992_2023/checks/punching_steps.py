@@ -9,11 +9,11 @@ from collections.abc import Iterator
 from math import isfinite
 
 from groundslab.design.codes.en1992_2023 import punching as en1992
-from groundslab.design.codes.en1992_2023.checks.concrete_steps import in_shear
 from groundslab.design.codes.en1992_2023.checks.critical_sections import CriticalSection
 from groundslab.design.codes.en1992_2023.checks.punching import links_needed, outermost_depth
 from groundslab.design.codes.en1992_2023.checks.punching_demand import Punching
 from groundslab.design.codes.en1992_2023.materials_of_case import materials
+from groundslab.design.codes.en1992_2023.shear import in_shear
 from groundslab.design.rules.calculation import MEGA, Step, punching_force
 from groundslab.design.rules.punching_links.demand import Support
 from groundslab.messages import Message

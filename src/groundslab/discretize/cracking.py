@@ -7,13 +7,14 @@ import numpy as np
 from groundslab.arrays import Array, Integers
 from groundslab.discretize.nodal_loads import materials
 from groundslab.fem import plate
-from groundslab.fem.concrete.cracked_section import (
+from groundslab.fem.cracked_section import (
+    STEEL_MODULUS,
     Bars,
     CrackedSections,
     cracked_section,
+    mean_tensile_strength,
     uncracked_section,
 )
-from groundslab.fem.concrete.materials import STEEL_MODULUS, mean_tensile_strength
 from groundslab.model.design.laid_bars import laid_bars
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.model.model import Model

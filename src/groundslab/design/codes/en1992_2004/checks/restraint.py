@@ -12,7 +12,7 @@ import numpy as np
 
 from groundslab.arrays import Array
 from groundslab.design.codes.en1992_2004 import cracking
-from groundslab.design.codes.en1992_2004.checks.cracks import crack_steps
+from groundslab.design.codes.en1992_2004.checks import crack_steps
 from groundslab.design.codes.en1992_2004.materials_of_case import materials
 from groundslab.design.codes.eurocode2.cracked_sections import Bars
 from groundslab.design.rules.calculation import Step

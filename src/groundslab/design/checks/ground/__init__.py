@@ -1,1 +1,0 @@
-"""The line force along the edge: what it carries, and its pressure over a strip."""

@@ -1,1 +1,0 @@
-"""Reinforced concrete: materials, and how sections bend once they crack."""
