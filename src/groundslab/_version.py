@@ -1,3 +1,3 @@
 """The version of groundslab; between releases that of the next one, with .dev0."""
 
-__version__ = "0.2.0.dev0"
+__version__ = "1.0.0.dev0"
