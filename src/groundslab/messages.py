@@ -12,7 +12,7 @@ import string
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Self, TypeAlias
 
-from groundslab.unit_systems import System, quantities_in, unit_in
+from groundslab.unit_systems import System, unit_in
 from groundslab.units import format_coordinate, format_drawn, format_drawn_coordinate
 
 if TYPE_CHECKING:
@@ -196,11 +196,9 @@ def quoted(names: Iterable[str], most: int = 5) -> Name:
     return Name(", ".join(f'"{name}"' for name in given[:most]) + (" ..." if len(given) > most else ""))
 
 
-def words_in(text: str, units: System, names: Iterable[str] = ()) -> str:
-    """Return a text with its quantities in the units of a system; names stay."""
-    if isinstance(text, Message):
-        return text.in_units(units)
-    return text if isinstance(text, Name) else quantities_in(text, units, names)
+def words_in(text: str, units: System) -> str:
+    """Return a text with its quantities in the units of a system; what is no message has none."""
+    return text.in_units(units) if isinstance(text, Message) else text
 
 
 def as_values(text: str) -> Any:
@@ -271,7 +269,12 @@ def written(value: Any, spec: str, units: System = "SI") -> str:
 
 
 def _adapted(form: str, factor: float) -> str:
-    """Return the format of a number that is a factor larger: as many digits behind the point less or more."""
+    """Return the format of a number that is a factor larger: as many digits behind the point less or more.
+
+    A number that is written as it is given has four digits.
+    """
+    if form == "g":
+        return ".4g"
     if not form.endswith("f"):
         return form
     decimals = int(form.partition(".")[2][:-1]) - round(math.log10(factor))

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from types import MappingProxyType
 from typing import Literal
 
 from groundslab import units
-from groundslab.units import NUMBER, UNITS, Step, Unit, format_number
+from groundslab.units import UNITS, Step, Unit, format_number
 
 #: In what units results are shown.
 System = Literal["SI", "US"]
@@ -108,11 +108,6 @@ _ROUND = (1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 8, 10)
 #: A diameter within this of a size [m] has its name.
 NEAR = 5e-5
 
-_MINUS, _TO = "\N{MINUS SIGN}", "\N{EN DASH}"
-_ONE = NUMBER.replace("[+-]", f"[+{_MINUS}-]")
-_SHARED = rf" (?:x|<=|>=|<|>|to|\.\.|/|and|{_TO}) "  # between numbers that share a unit
-_PLACE = rf"[(\[]{_ONE}(?:, {_ONE})*[)\]]"
-_STATION = rf"(?<= at ){_ONE} m\b"  # of a load on its path, a part of a name
 _RAISED = str.maketrans("234", "²³⁴")
 #: The same with powers as they are written elsewhere, such as m^2 and m².
 _AS_WRITTEN = {
@@ -120,15 +115,6 @@ _AS_WRITTEN = {
     for write in (str, lambda name: re.sub(r"(\d)", r"^\1", name), lambda name: name.translate(_RAISED))
     for name, (other, factor) in CUSTOMARY.items()
 }
-_UNITS = "|".join(sorted(map(re.escape, _AS_WRITTEN), key=len, reverse=True))
-#: A name in quotes, or a quantity.
-_QUANTITY = re.compile(
-    rf'"[^"]*"|'
-    rf"(?P<numbers>(?:{_PLACE}|(?<![\w.^])(?!{_STATION}){_ONE})(?:{_SHARED}(?:{_PLACE}|{_ONE}))*) "
-    rf"(?P<unit>{_UNITS})(?![\w^*²³⁴]|/[a-zA-Z])"
-)
-_NUMBER = re.compile(_ONE)
-_AFTER_GAP = re.compile(rf"(?<=\}} )(?:{_UNITS})(?![\w^*²³⁴]|/[a-zA-Z])")
 
 
 def unit_in(name: str, system: System) -> tuple[str, float]:
@@ -151,42 +137,6 @@ DISPLAYED: Mapping[str, Unit] = MappingProxyType(
 def together(values: Sequence[float], dimension: str, system: System) -> tuple[list[str], str]:
     """Return quantities given in SI units with five digits each, and their unit in a system; see `units.together`."""
     return units.together(values, dimension, () if system == "SI" else CUSTOMARY_STEPS.get(dimension, ()))
-
-
-def quantities_in(text: str, system: System, names: Iterable[str] = ()) -> str:
-    """Return a text with the quantities in it in the units of a system, such as "kip" for "kN".
-
-    Parameters
-    ----------
-    text : str
-        A text as checks, remarks and notes have it: numbers, one or some that share a unit, a blank, and a unit of
-        display. Numbers without one stay as they are, and so do names: in quotes, or of where a load stands on its
-        path, as in "truck at 5.00 m".
-    system : str
-        "SI", which changes nothing, or "US".
-    names : iterable of str
-        Names in it that stay as they are, such as "pile 12 m".
-
-    Returns
-    -------
-    str
-        The same text; numbers have one digit less than before, as the last one may be rounding, but three at least.
-
-    Examples
-    --------
-    >>> quantities_in("v_Ed 120.5 kN/m at (1.250, 3.000) m is 0.8 times v_Rd,c", "US")
-    'v_Ed 8.26 kip/ft at (4.1, 9.84) ft is 0.8 times v_Rd,c'
-    """
-    if system == "SI":
-        return text
-    kept = sorted({name for name in names if name in text and _QUANTITY.search(name)}, key=len, reverse=True)
-    parts = re.split(f"({'|'.join(map(re.escape, kept))})", text) if kept else [text]
-    return "".join(part if i % 2 else _QUANTITY.sub(_converted, part) for i, part in enumerate(parts))
-
-
-def message_in(message: str, system: System) -> str:
-    """Return a message whose gaps stand before units, as in "{} kN/m", with those of a system."""
-    return message if system == "SI" else _AFTER_GAP.sub(lambda unit: unit_in(unit[0], system)[0], message)
 
 
 def customary_example(text: str, dimension: str) -> str:
@@ -222,22 +172,3 @@ def bars_at(diameter: float, spacing: float, system: System) -> str:
     distance = format_number(spacing * unit.scale, 4, trim=True)
     size = bar_size(diameter, system)
     return f"{size} / {distance}" if system == "SI" else f"{size} @ {distance} {unit.name}"
-
-
-def _converted(match: re.Match[str]) -> str:
-    """Return the numbers of a quantity in the other unit, and that; a name as it is."""
-    if match["unit"] is None:
-        return match[0]
-    name, factor = unit_in(match["unit"], "US")
-    numbers = _NUMBER.sub(lambda number: _scaled(number[0], factor), match["numbers"])
-    return f"{numbers} {name}"
-
-
-def _scaled(number: str, factor: float) -> str:
-    """Return a number times a factor, with its kind of minus sign.
-
-    It has one digit less than before, as the last one may be rounding, but three at least.
-    """
-    minus, plain = (_MINUS, number.replace(_MINUS, "-")) if _MINUS in number else ("-", number)
-    mantissa = plain.lower().partition("e")[0].lstrip("+-").replace(".", "").lstrip("0")
-    return format_number(float(plain) * factor, max(3, len(mantissa) - 1), trim=True, fixed=(1e-4, 1e7), minus=minus)

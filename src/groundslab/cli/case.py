@@ -86,7 +86,7 @@ def check_case(options: argparse.Namespace) -> int:
         return EXIT_OK
     model = casefile.from_table(tables, Path(options.case).parent)
     from groundslab.analysis.check import check, find_unbalanced
-    from groundslab.messages import words_in
+    from groundslab.messages import Message, Name, words_in
     from groundslab.model.combinations import list_combinations
     from groundslab.model.remarks.remarks import find_remarks
 
@@ -94,14 +94,26 @@ def check_case(options: argparse.Namespace) -> int:
     lost = find_unbalanced(model)
     verdict = "FOUNDATION FAILS" if lost else "fine"
     what = f"in all, {len(model.every_plate)} plates" if model.plates else "plate"
-    lines = [
-        f"{options.case}: {verdict} ({model.sides[0]:g} m x {model.sides[1]:g} m {what}, "
-        f"{model.ground.kind} ground, {len(model.loads)} load{'s' if len(model.loads) > 1 else ''})"
+    loads = f"{len(model.loads)} load{'s' if len(model.loads) > 1 else ''}"
+    lines: list[str] = [
+        Message(
+            "{case}: {verdict} ({length:g m} x {width:g m} {what}, {ground} ground, {loads})",
+            case=Name(options.case),
+            verdict=verdict,
+            length=model.sides[0],
+            width=model.sides[1],
+            what=what,
+            ground=model.ground.kind,
+            loads=loads,
+        )
     ]
     combinations = list_combinations(model)
-    lines += [f'  no equilibrium in "{name}": {error}' for name, error in lost.items()]
+    lines += [
+        Message('  no equilibrium in "{name}": {error}', name=Name(name), error=str(error))
+        for name, error in lost.items()
+    ]
     lines += _structure_and_supports(model) + _cases_and_combinations(model, combinations)
-    lines += [f"  remark: {remark.words}" for remark in find_remarks(model, combinations)]
+    lines += [Message("  remark: {words}", words=remark.words) for remark in find_remarks(model, combinations)]
     print_stdout("\n".join(words_in(line, model.units) for line in lines))
     return EXIT_DESIGN_FAILS if lost else EXIT_OK
 
@@ -118,41 +130,72 @@ def _check_as_json(file: str) -> int:
 
 def _structure_and_supports(model: Model) -> list[str]:
     """Return the columns, walls, beams, building and supports of a model in words, a line each."""
-    from groundslab.geometry.plan import format_place
+    from groundslab.messages import Message, Name, joined
     from groundslab.model.axes.crossings import name_of_crossing
 
-    lines = []
+    lines: list[str] = []
     for column in model.columns:
         if column.diameter is not None:
-            size = f"diameter {column.diameter:g} m"
+            size = Message("diameter {diameter:g m}", diameter=column.diameter)
         else:
             turned = f", turned by {column.angle:g} degrees," if column.angle else ""
-            size = f"{column.width_x:g} m x {column.width_y:g} m{turned}"
+            assert column.width_x is not None
+            assert column.width_y is not None
+            size = Message("{x:g m} x {y:g m}{turned}", x=column.width_x, y=column.width_y, turned=turned)
         crossing = name_of_crossing((column.x, column.y), model.axes)
-        where = f"{crossing and f'{crossing}, '}{format_place((column.x, column.y))} m"
-        lines.append(f"  column {column.name}: {size} at {where}")
+        about = {"column": Name(column.name), "size": size, "crossing": Name(crossing and f"{crossing}, ")}
+        lines.append(
+            Message("  column {column}: {size} at {crossing}{place:at m}", **about, place=(column.x, column.y))
+        )
     for wall in model.placed_walls:
-        size = f"{wall.thickness:g} m thick, {wall.length:.6g} m long"
+        parts = [Message("{thickness:g m} thick, {length:.6g m} long", thickness=wall.thickness, length=wall.length)]
         if wall.height is not None:
-            size += f", a deep beam {wall.height:g} m high{_share(wall.stiffness)}"
-            for hole in wall.openings:
-                size += f", an opening {hole.height:g} m high from {hole.start:g} m to {hole.end:g} m"
-        lines.append(f"  wall {wall.name}: {size}")
+            share = _share(wall.stiffness)
+            parts.append(Message("a deep beam {height:g m} high{share}", height=wall.height, share=share))
+            parts += [
+                Message(
+                    "an opening {height:g m} high from {start:g m} to {end:g m}",
+                    height=hole.height,
+                    start=hole.start,
+                    end=hole.end,
+                )
+                for hole in wall.openings
+            ]
+        lines.append(Message("  wall {wall}: {size}", wall=Name(wall.name), size=joined(parts)))
     for beam in model.beams:
         section = beam.section
-        what = "a section by its properties"
+        what: str = "a section by its properties"
         if section.kind != "properties":
-            what = f"{section.kind} of {section.width:g} m x {section.height:g} m"
-        what += f"{', eccentric' * beam.eccentric}, {beam.length:.6g} m long{_share(beam.stiffness)}"
-        lines.append(f"  beam {beam.name}: {what}")
+            assert section.width is not None
+            assert section.height is not None
+            sides = {"width": section.width, "height": section.height}
+            what = Message("{kind} of {width:g m} x {height:g m}", kind=section.kind, **sides)
+        lines.append(
+            Message(
+                "  beam {beam}: {what}{eccentric}, {length:.6g m} long{share}",
+                beam=Name(beam.name),
+                what=what,
+                eccentric=", eccentric" * beam.eccentric,
+                length=beam.length,
+                share=_share(beam.stiffness),
+            )
+        )
     if (above := model.building) is not None:
         count = len(above.storeys)
-        storeys = f"{count} storey{'s' * (count > 1)}, {sum(above.storeys):g} m high" if count else "a matrix"
-        lines.append(f"  building: {storeys}, on {len(above.names)} columns and walls{_share(above.stiffness)}")
+        listed = f"{count} storey{'s' * (count > 1)}"
+        storeys = (
+            Message("{listed}, {height:g m} high", listed=listed, height=sum(above.storeys)) if count else "a matrix"
+        )
+        on = f"on {len(above.names)} columns and walls{_share(above.stiffness)}"
+        lines.append(Message("  building: {storeys}, {on}", storeys=storeys, on=on))
     for number, support in enumerate(model.supports, 1):
-        where = " to ".join(map(format_place, support.points))
+        *others, end = support.points
+        start = [Message("{place:at (m)}", place=point) for point in others]
+        where = joined([*start, Message("{place:at m}", place=end)], " to ")
         firm = "elastic" if support.elastic else "rigid"
-        lines.append(f"  support {support.name or number}: {support.kind}, {firm}, acts {support.acts}, at {where} m")
+        words = f"{support.kind}, {firm}, acts {support.acts}"
+        name = Name(support.name or str(number))
+        lines.append(Message("  support {name}: {words}, at {where}", name=name, words=words, where=where))
     return lines
 
 
@@ -165,15 +208,24 @@ def _cases_and_combinations(model: Model, combinations: Sequence[Combination]) -
     """Return the load cases of a model, where they act, and what is solved of them in words, a line each."""
     if not model.cases:
         return []
+    from groundslab.messages import Message, Name
     from groundslab.model.remarks.case_use import case_uses
     from groundslab.views.summary.combinations import factors_text
 
-    cases = [f"  case {use.case.name}: {use.about()}; {use.words()}" for use in case_uses(model, combinations)]
+    cases: list[str] = [
+        Message("  case {case}: {about}; {words}", case=Name(use.case.name), about=use.about(), words=use.words())
+        for use in case_uses(model, combinations)
+    ]
     return (
         cases
         + _sums(model)
         + [
-            f"  combination {combination.name} ({combination.limit_state}): {factors_text(combination)}"
+            Message(
+                "  combination {name} ({state}): {factors}",
+                name=Name(combination.name),
+                state=combination.limit_state,
+                factors=factors_text(combination),
+            )
             for combination in combinations
         ]
     )
@@ -181,13 +233,19 @@ def _cases_and_combinations(model: Model, combinations: Sequence[Combination]) -
 
 def _sums(model: Model) -> list[str]:
     """Return force and moments of each load case about the middle of the plan in words, a line each."""
-    from groundslab.geometry.plan import format_place
+    from groundslab.messages import Message, Name
     from groundslab.model.remarks.resultants import case_sums, middle
 
-    about = format_place(middle(model))
+    about = middle(model)
     return [
-        f"  sum of case {name}: F = {total.F / 1e3:.6g} kN, M_x = {total.M_x / 1e3:.6g} kNm, "
-        f"M_y = {total.M_y / 1e3:.6g} kNm about {about} m"
+        Message(
+            "  sum of case {case}: F = {F:.6g kN}, M_x = {M_x:.6g kNm}, M_y = {M_y:.6g kNm} about {about:at m}",
+            case=Name(name),
+            F=total.F / 1e3,
+            M_x=total.M_x / 1e3,
+            M_y=total.M_y / 1e3,
+            about=about,
+        )
         for name, total in case_sums(model).items()
     ]
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from groundslab.cli.case import write_or_print
 from groundslab.cli.console import EXIT_DESIGN_FAILS, EXIT_NO_RESULT, EXIT_OK, print_stderr
-from groundslab.messages import words_in
+from groundslab.messages import Message, Name, words_in
 from groundslab.unit_systems import bar_size, bars_at
 
 if TYPE_CHECKING:
@@ -87,29 +87,37 @@ def _words(proposal: BarProposal, units: System) -> Iterator[str]:
         assert base is not None
         zones = [zone for zone in steel.zones if layer in zone.layers]
         yield (
-            f"{layer.replace('_', ' ')}: {_bars(base, units)}, {len(zones)} zone{'s' * (len(zones) != 1)}; "
-            f"{volume * _KG:.0f} kg without laps, required {proposal.required[layer] * _KG:.0f} kg"
-        )
+            Message(
+                "{layer}: {bars}, {zones}; {laid:.0f kg} without laps, required {required:.0f kg}",
+                layer=layer.replace("_", " "), bars=_bars(base, units),
+                zones=f"{len(zones)} zone{'s' * (len(zones) != 1)}", laid=volume * _KG,
+                required=proposal.required[layer] * _KG,
+            )
+        )  # fmt: skip
         yield from (_zone(zone, units) for zone in zones)
     yield from (_links(layout, units) for layout in proposal.links)
-    yield from (f"note: {remark}" for remark in proposal.remarks)
+    yield from (Message("note: {remark}", remark=remark) for remark in proposal.remarks)
 
 
 def _zone(zone: BarZone, units: System) -> str:
     """Return a zone in words."""
     x0, x1, y0, y1 = zone.shape.ring().bounds
-    return f"  {zone.name}: {_bars(zone.bars, units)}, x {x0:g} to {x1:g} m, y {y0:g} to {y1:g} m"
+    return Message(
+        "  {zone}: {bars}, x {x0:g (m)} to {x1:g m}, y {y0:g (m)} to {y1:g m}",
+        zone=Name(zone.name), bars=_bars(zone.bars, units), x0=x0, x1=x1, y0=y0, y1=y1,
+    )  # fmt: skip
 
 
 def _links(layout: LinkLayout, units: System) -> str:
     """Return links against punching in words."""
     if not layout.perimeters:
-        return f"no links at {layout.where}: {layout.why}"
-    radial = "" if layout.radial is None else f", {layout.radial:g} m apart"
-    return (
-        f"links at {layout.where}: {layout.counts} legs {bar_size(layout.diameter, units)}, first perimeter "
-        f"{layout.perimeters[0].distance:g} m from the face{radial}; {layout.mass:.0f} kg"
-    )
+        return Message("no links at {where}: {why}", where=Name(layout.where), why=layout.why)
+    radial = "" if layout.radial is None else Message(", {radial:g m} apart", radial=layout.radial)
+    return Message(
+        "links at {where}: {counts} legs {size}, first perimeter {first:g m} from the face{radial}; {mass:.0f kg}",
+        where=Name(layout.where), counts=str(layout.counts), size=bar_size(layout.diameter, units),
+        first=layout.perimeters[0].distance, radial=radial, mass=layout.mass,
+    )  # fmt: skip
 
 
 def _bars(bars: Bars, units: System) -> str:

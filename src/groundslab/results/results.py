@@ -380,8 +380,9 @@ class Results(Mapping[str, CombinationResult]):
 
 def refusal_words(error: GroundslabError, units: System = "SI") -> str:
     """Return why a combination has no certified results, on one line: the foundation fails, or it is not solved."""
-    kind = "FOUNDATION FAILS" if isinstance(error, NoEquilibrium) else "not solved"
-    return Message("{kind}: {reason}", kind=kind, reason=words_in(" ".join(str(error).split()), units))
+    kind, reason = "FOUNDATION FAILS" if isinstance(error, NoEquilibrium) else "not solved", str(error)
+    reason = reason if isinstance(reason, Message) else " ".join(reason.split())
+    return Message("{kind}: {reason}", kind=kind, reason=words_in(reason, units))
 
 
 def _figures(results: CombinationResult) -> tuple[str, str, str]:

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from groundslab.design.demands.loads.wall_loads import loads_on_wall
+from groundslab.messages import Message, joined
 from groundslab.unit_systems import System, unit_in
 from groundslab.units import format_number
 
@@ -64,13 +65,13 @@ class Reaction:
         if self.most is not None:
             # beside an arrow the other sense is negative
             along = self.most if signed or self.force >= 0 else -self.most
-            parts.append(f"max {shown(along, 'kN/m', True)}")
+            parts.append(Message("max {force}", force=shown(along, "kN/m", True)))
         parts += [
             f"{symbol} = {shown(value, 'kNm', True)}"
             for symbol, value in zip(("M_x", "M_y"), self.moments, strict=True)
             if abs(value) > ROUNDING * max(abs(self.force), 1.0)
         ]
-        return ", ".join(parts)
+        return joined(parts)
 
 
 def support_reactions(results: CombinationResult) -> Iterator[Reaction]:

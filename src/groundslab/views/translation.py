@@ -36,7 +36,7 @@ def words_of(model: Model) -> Translator:
     """Return what writes texts in the units and the language of a case, as names that nothing changes any more."""
     names = frozenset(names_of(model))
     translate = translator(model.language, names)
-    return lambda text: Name(translate(words_in(text, model.units, names)))
+    return lambda text: Name(translate(words_in(text, model.units)))
 
 
 def translated_tables(combined: Results) -> Iterator[Table]:

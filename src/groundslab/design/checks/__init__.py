@@ -27,7 +27,6 @@ from groundslab.design.codes.floors import checks as floors
 from groundslab.design.codes.floors import dowel_checks
 from groundslab.design.rules.check import ORDER, DesignCheck, Status, in_units
 from groundslab.messages import Message, counted, joined
-from groundslab.model.names import names_of
 from groundslab.model.remarks.remarks import find_remarks
 from groundslab.results.results import Results
 from groundslab.schema.issues import require
@@ -131,8 +130,7 @@ def check_design(combined: Results) -> Design:
 @made_once
 def _check_design(combined: Results) -> Design:
     """Return the checks, which are made once of the same results."""
-    names = names_of(combined.model)
-    made = [in_units(check, combined.model.units, names) for find in CHECKS for check in find(combined)]
+    made = [in_units(check, combined.model.units) for find in CHECKS for check in find(combined)]
     checked = tuple(sorted((check for check in made if check.status != "not checked"), key=_order))
     unchecked = {check.name: check.words for check in made if check.status == "not checked"}
     left = joined((unchecked if "strength" in unchecked else {"anchorage": NOT_CHECKED, **unchecked}).values(), "; ")

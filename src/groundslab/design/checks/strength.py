@@ -18,7 +18,7 @@ from groundslab.design.rules.check import GIVEN_SECTION, DesignCheck, not_judged
 from groundslab.design.rules.combinations import UNFACTORED, ultimate_results, why_none, without_partial_factors
 from groundslab.design.rules.demand_errors import error_of_ratio, scaled
 from groundslab.design.rules.design_code import DesignCode, no_rule
-from groundslab.messages import Clause, Message, Name
+from groundslab.messages import Clause, Message, Name, joined
 from groundslab.model.loads.load_cases import STRENGTH
 from groundslab.model.structure.beams import GivenSection
 from groundslab.model.supports import Pile
@@ -120,7 +120,7 @@ def _walls(combined: Results, code: DesignCode) -> Iterator[DesignCheck]:
             used=worst.used,
         )
         if worst.upright is None or worst.level is None:
-            words += "; least bars of walls were not read"
+            words = joined((words, "least bars of walls were not read"), "; ")
         else:
             words += Message(
                 "; it needs at least {upright:.3g cm2/m} of bars upright and {level:.3g cm2/m} level, both faces "

@@ -6,7 +6,7 @@ counted by itself in the headline. What no check ever looks at, such as anchorag
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any, Literal
 
@@ -179,7 +179,7 @@ def not_judged(name: str, why: Unjudged, words: str, **about: Any) -> DesignChec
     )
 
 
-def in_units(check: DesignCheck, system: System, names: Collection[str] = ()) -> DesignCheck:
+def in_units(check: DesignCheck, system: System) -> DesignCheck:
     """Return a check with its numbers and words in the units of a system; names, its place [m] and its steps stay."""
     if system == "SI":
         return check
@@ -187,7 +187,7 @@ def in_units(check: DesignCheck, system: System, names: Collection[str] = ()) ->
     demand, resistance, error = (
         None if value is None else value * factor for value in (check.demand, check.resistance, check.error)
     )
-    words = words_in(check.words, system, names)
+    words = words_in(check.words, system)
     return replace(check, words=words, demand=demand, resistance=resistance, unit=unit, error=error)
 
 

@@ -11,7 +11,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from groundslab.messages import Message, Name, counted, joined, series
+from groundslab.messages import Message, Name, counted, joined, quantity, series
 from groundslab.model.combinations import list_combinations
 from groundslab.model.loads.annexes import is_unknown
 from groundslab.model.loads.clipping import find_clipped_loads
@@ -133,9 +133,18 @@ def _on_cases(model: Model, uses: Sequence[CaseUse]) -> Iterator[Remark]:
         if use.empty:
             yield Remark(place, Message("case {name} has no loads", name=quote(name)), doubtful=True, of=name)
         elif use in unused:
-            where = "has the factor 0 wherever it is named" if use.named else "acts in no combination"
-            force = f" ({show(forces[name], 'force')})" if forces.get(name) else ""
-            yield Remark(place, f"case {quote(name)} {where}: {_loads(use)} left out{force}", doubtful=True, of=name)
+            unnamed = "case {name} acts in no combination: {loads} left out{force}"
+            named = "case {name} has the factor 0 wherever it is named: {loads} left out{force}"
+            force = _force(forces[name]) if forces.get(name) else ""
+            template = named if use.named else unnamed
+            words = Message(template, name=quote(name), loads=_loads(use), force=force)
+            yield Remark(place, words, doubtful=True, of=name)
+
+
+def _force(force: float) -> Message:
+    """Return a force [N] in brackets."""
+    number, _, unit = show(force, "force").partition(" ")
+    return Message(" ({force})", force=quantity(float(number), unit, ".5g"))
 
 
 def _loads(use: CaseUse) -> str:

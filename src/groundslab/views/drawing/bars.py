@@ -13,6 +13,7 @@ from groundslab.arrays import Array
 from groundslab.design.bars.bar_layout import BarSet, bar_sets
 from groundslab.design.bars.positions import U_SHAPE, Position, positions
 from groundslab.design.rules.punching_links.layout import LinkLayout
+from groundslab.messages import Label, Message, Name
 from groundslab.model.model import Model
 from groundslab.model.plates.region import get_plate_region
 from groundslab.unit_systems import System, bar_size, bars_at, in_system, unit_in
@@ -94,7 +95,7 @@ def _face(model: Model, face: str, h: float, listed: Sequence[Position]) -> Iter
     """Yield the plan of one face, where the case has it, with letters of a height [m]."""
     x0, _, _, y1 = model.bounds
     above = (1.5 + (BUBBLES if model.axes else 0.0)) * h
-    yield Text("LABELS", (x0, y1 + above), 1.4 * h, f"{face.capitalize()} bars")
+    yield Text("LABELS", (x0, y1 + above), 1.4 * h, Label(f"{face.capitalize()} bars"))
     yield from plan_shapes(model)
     for column in model.columns:
         yield Text("LABELS", (column.x + 0.6 * h, column.y + 0.6 * h), h, column.name)
@@ -143,16 +144,21 @@ def label_of(of_set: Sequence[Position], units: System) -> str:
     if not of_set:
         return ""
     first, last = of_set[0], of_set[-1]
-    marks = f"{first.mark}" if first is last else f"{first.mark}-{last.mark}"
+    marks = Name(f"{first.mark}" if first is last else f"{first.mark}-{last.mark}")
     unit, per_meter = unit_in("m", units)
     shortest, longest = (f"{find(find(one.lengths) for one in of_set) * per_meter:.2f}" for find in (min, max))
-    long = longest if shortest == longest else f"{shortest} to {longest}"
-    mesh = f"{first.mesh}: " if first.mesh else ""
-    lap = "" if first.lap is None or first.shape == U_SHAPE else f", lap {first.lap * per_meter:.2f} {unit}"
+    long = longest if shortest == longest else Message("{low} to {high}", low=shortest, high=longest)
+    mesh = Name(f"{first.mesh}: " if first.mesh else "")
+    lap: str = ""
+    if first.lap is not None and first.shape != U_SHAPE:
+        lap = Message(", lap {lap:.2f m}", lap=first.lap).in_units(units)
     count = sum(len(one.lengths) for one in of_set)
     u = "U " if first.shape == U_SHAPE else ""
-    bars = bars_at(first.bars.diameter, first.bars.spacing, units)
-    return f"({marks}) {mesh}{count} {u}{bars}, l = {long} {unit}{lap}"
+    bars = Name(u + bars_at(first.bars.diameter, first.bars.spacing, units))
+    return Message(
+        "({marks}) {mesh}{count} {bars}, l = {long} {unit}{lap}",
+        marks=marks, mesh=mesh, count=count, bars=bars, long=long, unit=unit, lap=lap,
+    )  # fmt: skip
 
 
 def _edge_bars(model: Model, position: Position, h: float) -> Iterator[Shape]:
@@ -225,7 +231,10 @@ def label_of_links(layout: LinkLayout, mark: int, units: System) -> str:
     unit = in_system(UNITS["mm"], units)
     radial = "" if layout.radial is None else f", s_r {format_number(unit.scale * layout.radial, 4, trim=True)}"
     first = format_number(unit.scale * layout.perimeters[0].distance, 4, trim=True)
-    return f"({mark}) {layout.counts} links {bar_size(layout.diameter, units)}, s_0 {first}{radial}"
+    return Message(
+        "({mark}) {counts} links {size}, s_0 {first}{radial}",
+        mark=mark, counts=str(layout.counts), size=Name(bar_size(layout.diameter, units)), first=first, radial=radial,
+    )  # fmt: skip
 
 
 def _table(table: Table, model: Model, corner: tuple[float, float], h: float) -> Iterator[Shape]:

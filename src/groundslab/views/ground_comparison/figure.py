@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from groundslab.messages import Message
-from groundslab.model.names import names_of
 from groundslab.views.ground_comparison.rows import headings, source_of
 from groundslab.views.plots import style
 from groundslab.views.plots.request import DOWNWARDS, QUANTITIES
@@ -59,7 +58,7 @@ def plot_comparison(comparison: GroundComparison, to: str | Path | None = None) 
     from groundslab.views.plots import export
 
     with style.apply_style():
-        figure = style.show_in(draw_comparison(comparison), comparison.model.units, names_of(comparison.model))
+        figure = style.show_in(draw_comparison(comparison), comparison.model.units)
     if to is not None:
         export.save([figure], to)
     return figure

@@ -133,6 +133,6 @@ def curve_table(comparison: GroundComparison) -> Table:
         for s, *values in zip(along, *columns, strict=True):
             place = (s, y) if axis == "x" else (x, s)
             shown = (None if value is None else value * scale for value, scale in zip(values, scales, strict=True))
-            rows.append((f"along {axis}", *place, *shown))
+            rows.append((Message("along {axis}", axis=axis), *place, *shown))
     title = "Fields along the lines through the largest settlement"
     return in_units(table_of("ground_curves", title, heads, rows), comparison.model.units)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from io import BytesIO
 from pathlib import Path
 from types import MappingProxyType
@@ -97,7 +97,6 @@ def to_inline_svg(
     changes: Mapping[str, Any] = MappingProxyType({}),
     units: System = "SI",
     translate: Translator = str,
-    names: Collection[str] = (),
 ) -> Markup:
     """Return a figure as an SVG element for an HTML page; the label is its title for screen readers.
 
@@ -110,7 +109,7 @@ def to_inline_svg(
 
     file = BytesIO()
     with apply_style(changes):
-        figure = show_in(draw(), units, names)
+        figure = show_in(draw(), units)
         if translate is not str:
             translate_figure(figure, translate)
             label = translate(label)

@@ -9,7 +9,6 @@ from groundslab.accuracy.mesh_statistics import mesh_statistics
 from groundslab.messages import Message, quantity
 from groundslab.model.axes.drawn import limits_with_axes
 from groundslab.model.loads.load_types import presses_ground
-from groundslab.model.names import names_of
 from groundslab.results.fields import BAR_FIELDS
 from groundslab.views.plots import symbols
 from groundslab.views.plots.annotations import draw_labels, draw_title, panel_title, title_height
@@ -102,7 +101,7 @@ def draw_frame(model: Model, width: float, height: float) -> MapFrame:
     box_width = min(width - MAP_LEFT - MAP_RIGHT, (height - MAP_TOP - MAP_BELOW) / ratio)
     axes = page.add_axes(MAP_LEFT, MAP_TOP, box_width, box_width * ratio)
     _draw_case(axes, model, lambda _: False, box_width)
-    show_in(page.figure, model.units, names_of(model))
+    show_in(page.figure, model.units)
     axes.set(xlabel="", ylabel="", facecolor="none")
     figure = page.finish(MAP_TOP + box_width * ratio + MAP_BELOW, signed=False)
     figure.patch.set_visible(False)

@@ -6,7 +6,7 @@ import io
 import math
 import textwrap
 import warnings
-from collections.abc import Collection, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager
 from functools import cache
 from types import MappingProxyType
@@ -17,7 +17,6 @@ import numpy as np
 from groundslab._version import __version__
 from groundslab.languages import Translator
 from groundslab.messages import Message, Name, words_in
-from groundslab.model.names import names_of
 from groundslab.unit_systems import unit_in
 from groundslab.units import WHOLE, format_coordinate
 from groundslab.views.translation import translator_of
@@ -132,7 +131,7 @@ def label_of_axis(axis: Axis, name: str, low: float) -> str:
 
 def show_for(figure: Figure, results: Results) -> Figure:
     """Return a figure in the units and the language of a case."""
-    show_in(figure, results.model.units, names_of(results.model))
+    show_in(figure, results.model.units)
     if results.model.language != "en":
         translate_figure(figure, translator_of(results))
     return figure
@@ -156,7 +155,7 @@ def translate_figure(figure: Figure, translate: Translator) -> None:
         text.set_text(translate(text.get_text()))
 
 
-def show_in(figure: Figure, units: System, names: Collection[str] = ()) -> Figure:
+def show_in(figure: Figure, units: System) -> Figure:
     """Return a figure whose axes of lengths in meters, and the words on it but names, are in the units of a system."""
     from matplotlib.text import Text
 
@@ -170,7 +169,7 @@ def show_in(figure: Figure, units: System, names: Collection[str] = ()) -> Figur
         assert isinstance(text, Text)
         words = text.get_text()
         if isinstance(words, Message) or "[" not in words:  # what labels an axis has been converted with it
-            text.set_text(words_in(words, units, names))
+            text.set_text(words_in(words, units))
     return figure
 
 

@@ -10,7 +10,7 @@ import numpy as np
 
 from groundslab.accuracy.mesh_statistics import POOR, mesh_statistics
 from groundslab.arrays import made_once
-from groundslab.messages import Message, Name, counted, joined
+from groundslab.messages import Label, Message, Name, counted, joined
 from groundslab.model.remarks.singular_places import near_singular, notes_on_singular_places
 from groundslab.results.contact_zone import CELLS_NOTE, EDGE_NOTE, goes_below_zero, has_line_force, require_finite
 from groundslab.results.fields import PLATE_FIELDS, extreme, places_of
@@ -337,13 +337,13 @@ def _section_forces(results: CombinationResult) -> SummarySection:
     """Return the extreme moments and shear forces with their places."""
     plate = results.plate
     rows = [
-        _extreme(name, f"{kind}_{name}", f"{kind} moment", plate.nodes, getattr(plate, name), sign)
+        _extreme(name, f"{kind}_{name}", Label(f"{kind} moment"), plate.nodes, getattr(plate, name), sign)
         for name in ("moment_x", "moment_y")
         for kind, sign in (("largest", 1), ("smallest", -1))
     ]
     for name, words in (("moment_xy", "twisting moment"), ("shear_x", "shear force"), ("shear_y", "shear force")):
         sizes = np.abs(getattr(plate, name))
-        rows.append(_extreme(name, f"largest_{name}", f"largest {words}", plate.nodes, sizes, 1, "|{}|"))
+        rows.append(_extreme(name, f"largest_{name}", Label(f"largest {words}"), plate.nodes, sizes, 1, "|{}|"))
     if notes := notes_on_singular_places(results.solved_model, " (*)"):
         thickness = results.elements.at_nodes(plate)[0]
         nodes = near_singular(results.solved_model, plate.nodes, thickness).nonzero()[0]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection
+from collections.abc import Callable
 from functools import cache, partial
 
 from groundslab.design.bars.proposal.links import punching_links
@@ -13,7 +13,6 @@ from groundslab.design.demands.zones.thicker_zones import zone_forces
 from groundslab.design.rules.wall_ends import loaded_ends
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.model.ground import ContinuousGround
-from groundslab.model.names import names_of
 from groundslab.model.structure.beams import GivenSection
 from groundslab.results.results import Results
 from groundslab.schema.issues import require
@@ -85,13 +84,13 @@ def _knows_storeys(combined: Results) -> bool:
 
 def table_makers(combined: Results) -> dict[str, Callable[[], Table]]:
     """Return the function for each table of `tables_of` by the table's name, in the units that the case asks for."""
-    units, names = combined.model.units, names_of(combined.model)
-    return {name: partial(_in_units, make, units, names) for name, make in _makers(combined).items()}
+    units = combined.model.units
+    return {name: partial(_in_units, make, units) for name, make in _makers(combined).items()}
 
 
-def _in_units(make: Callable[[], Table], units: System, names: Collection[str]) -> Table:
+def _in_units(make: Callable[[], Table], units: System) -> Table:
     """Make a table in some units."""
-    return in_units(make(), units, names)
+    return in_units(make(), units)
 
 
 def _makers(combined: Results) -> dict[str, Callable[[], Table]]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import csv
 import io
-from collections.abc import Collection, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
@@ -118,7 +118,7 @@ def table_of(
     return Table(name, title, tuple(made), tuple(notes), tuple(by_row))
 
 
-def in_units(table: Table, system: System, names: Collection[str] = ()) -> Table:
+def in_units(table: Table, system: System) -> Table:
     """Return a table with its values, the words in its cells and its notes in the units of a system.
 
     Names, formulas and what stands in the unit of its row without being told `by_row` stay as they are.
@@ -135,13 +135,11 @@ def in_units(table: Table, system: System, names: Collection[str] = ()) -> Table
         elif column.name == "unit" and table.by_row:
             values = tuple(unit_in(str(value), system)[0] if value else value for value in column.values)
         elif column.name in WORDS:
-            values = tuple(
-                words_in(value, system, names) if isinstance(value, str) else value for value in column.values
-            )
+            values = tuple(words_in(value, system) if isinstance(value, str) else value for value in column.values)
         else:
             values = tuple(_times(value, factor) for value in column.values)
         columns.append(replace(column, unit=unit, values=values))
-    notes = tuple(words_in(note, system, names) for note in table.notes)
+    notes = tuple(words_in(note, system) for note in table.notes)
     return replace(table, columns=tuple(columns), notes=notes)
 
 

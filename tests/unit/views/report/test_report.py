@@ -396,7 +396,6 @@ class TestNumbers:
         meaning = PLATE_FIELDS["settlement"].meaning
         known = {"Fit": "Zoom", meaning: "Setzung </script>", "Save the case file as": "Sichern"}
         monkeypatch.setattr(catalogue, "messages", lambda _: known)
-        monkeypatch.setattr(catalogue, "_catalogue", catalogue._catalogue.__wrapped__)
         assert plain.model.project is not None
         project = plain.model.project.model_copy(update={"language": "de"})
         model = plain.model.model_copy(update={"project": project})

@@ -12,7 +12,6 @@ import numpy as np
 from groundslab.design.bars.required_bars import bar_fields
 from groundslab.design.rules.combinations import ultimate_results
 from groundslab.messages import Message, Name, capitalized, joined, words_in
-from groundslab.model.names import names_of
 from groundslab.results.results import results_of
 from groundslab.views.plots import beams
 from groundslab.views.plots.annotations import said_of
@@ -61,22 +60,18 @@ def draw_case(model: Model, placed: Model, translate: Translator = str) -> Drawi
     """Return the plan of a case as written, with the loads of the case as solved."""
     caption = joined(("Plan.", *describe_omissions(model)), " ")
     draw = partial(draw_case_plan, model, placed)
-    svg = to_inline_svg(
-        draw, "plan", "Plan of the plate", units=model.units, translate=translate, names=names_of(model)
-    )
-    return Drawing(svg, words_in(caption, model.units, names_of(model)))
+    svg = to_inline_svg(draw, "plan", "Plan of the plate", units=model.units, translate=translate)
+    return Drawing(svg, words_in(caption, model.units))
 
 
 def draw_loads(model: Model, placed: Model, translate: Translator = str) -> Iterator[Drawing]:
     """Yield the plan of each load case's loads, without factors; of all loads where there are no cases."""
-    base, names = plan_base(model, placed), names_of(model)
+    base = plan_base(model, placed)
     for number, case in enumerate(model.cases or (None,), 1):
         plan = LoadPlan(base, case)
         if plan.has_loads:
-            caption = words_in(plan.describe(), model.units, names)
-            svg = to_inline_svg(
-                plan.draw, f"loads{number}", caption, units=model.units, translate=translate, names=names
-            )
+            caption = words_in(plan.describe(), model.units)
+            svg = to_inline_svg(plan.draw, f"loads{number}", caption, units=model.units, translate=translate)
             yield Drawing(svg, caption)
 
 
