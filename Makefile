@@ -13,8 +13,9 @@ JOBS   ?= 2
 PYTHONS ?= 3.11 3.12 3.13 3.14
 # cases that dist-pythons verifies, such as CASES="beam paper"; all if there are none
 CASES  ?=
-# where another solver can make a difference: what factorizes, joints, random slabs and all examples but the slow ones
-SOLVING := tests/unit/solvers tests/unit/analysis tests/docs/test_examples.py tests/verification/test_joints.py tests/properties/test_random_plates.py
+# where another solver can make a difference: what factorizes, uses factors again, and random slabs of several plates
+SOLVING := tests/unit/solvers tests/unit/analysis/test_nested.py tests/unit/analysis/test_increments.py \
+	tests/unit/analysis/tasks tests/properties/test_random_plates.py
 # further options for pytest, such as OPTIONS="-k punching"
 OPTIONS ?=
 # cases of the verification manual that get pictures; all if none are named
