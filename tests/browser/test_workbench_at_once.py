@@ -34,7 +34,8 @@ def test_what_is_shown_is_of_the_present_model(server: Server, bench: Bench, cas
     bench.open(server.start(case))
     bench.wait_solved()
     assert standing(bench) == "current"
-    type_text(bench, FLOOR.read_text(encoding="utf-8"))
+    # a mesh that is made soon, on which 44 combinations take long
+    type_text(bench, f'{FLOOR.read_text(encoding="utf-8")}\n[mesh]\nsize = "0.2 m"\n')
     bench.wait_equal(lambda: standing(bench), "preview")
     bench.wait_seen(".preview-over:visible", "of this combination only")
     type_text(bench, "[plate")
