@@ -86,8 +86,8 @@ def _reductions(prolongation: Prolongation, squared: Array, before: Array, whole
     density = (before / areas(coarser.mesh.xy)[:, None])[prolongation.element]
     both = np.stack([squared, density * areas(finer.mesh.xy)[:, None]], axis=-1)[finer.plate.element]
     elements, n = finer.plate.mesh.elements, len(finer.plate.mesh.nodes)
-    found = []
+    reductions = []
     for part in np.moveaxis(both, 1, 0):
-        now, then = (scatter(elements, np.tile(each[:, None], 9), n) for each in part.T)
-        found.append(np.sqrt(np.divide(now, then, out=np.full(n, whole**2), where=then > 0)))
-    return found[0], found[1]
+        now, then = (scatter(elements, np.tile(values[:, None], 9), n) for values in part.T)
+        reductions.append(np.sqrt(np.divide(now, then, out=np.full(n, whole**2), where=then > 0)))
+    return reductions[0], reductions[1]

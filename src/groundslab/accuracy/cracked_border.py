@@ -42,11 +42,11 @@ def _error_of_cracks(results: CombinationResult) -> float:
         return 0.0
     area = areas(results.plate.nodes[elements])
     moment: Array = np.abs((e.moment_x + e.moment_y) / 2) + np.hypot((e.moment_x - e.moment_y) / 2, e.moment_xy)
-    one, other = _pairs(elements)
-    border = cracked[one] != cracked[other]
-    one, other = one[border], other[border]
-    softer = np.abs(1 / ratio[one] - 1 / ratio[other])
-    differing = (moment[one] * moment[other] * softer * (area[one] + area[other]) / 4).sum()
+    first, other = _pairs(elements)
+    border = cracked[first] != cracked[other]
+    first, other = first[border], other[border]
+    softer = np.abs(1 / ratio[first] - 1 / ratio[other])
+    differing = (moment[first] * moment[other] * softer * (area[first] + area[other]) / 4).sum()
     return float(OF_A_ROW * differing / (moment**2 / ratio * area).sum())
 
 

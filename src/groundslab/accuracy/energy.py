@@ -75,7 +75,7 @@ def _beam_errors(model: Model, solution: Solution) -> Array:
     element, side = np.nonzero(number[elements[:, SIDES[:, 2]]] >= 0)
     piece = number[elements[element, SIDES[side, 2]]]
     share = 1 / np.bincount(piece, minlength=len(sides))[piece]
-    return np.column_stack([scatter(element, share * each[piece], len(elements)) for each in (M + T + N, V)])
+    return np.column_stack([scatter(element, share * squared[piece], len(elements)) for squared in (M + T + N, V)])
 
 
 def error_density(solution: Solution, frame: ResultMesh, squared: Array, total: float) -> Array:
@@ -102,7 +102,7 @@ def _plate_errors(solution: Solution, recovered: Array) -> Array:
     moments, shear = error[..., :3], error[..., 3:]
     dA = determinants(dN, problem.mesh.nodes[problem.mesh.elements[problem.plate.elements]]) * weights
     of_moments, of_shear = ((moments @ compliance) * moments).sum(axis=2), (shear**2).sum(axis=2) / S[:, None]
-    return np.column_stack([(dA * each).sum(axis=1) for each in (of_moments, of_shear)])
+    return np.column_stack([(dA * squared).sum(axis=1) for squared in (of_moments, of_shear)])
 
 
 def _membrane_errors(solution: Solution, recovered: Array) -> Array:
@@ -113,8 +113,8 @@ def _membrane_errors(solution: Solution, recovered: Array) -> Array:
     compliance = np.linalg.inv(sheet.membrane)[sheet.section]
     error = N @ recovered - own_membrane(problem, solution.U, points)
     dA = determinants(dN, problem.mesh.nodes[problem.mesh.elements[sheet.elements]]) * weights
-    found: Array = (dA * ((error @ compliance) * error).sum(axis=2)).sum(axis=1)
-    return found
+    squared: Array = (dA * ((error @ compliance) * error).sum(axis=2)).sum(axis=1)
+    return squared
 
 
 def _ground_errors(solution: Solution) -> Array:
@@ -130,10 +130,12 @@ def _ground_errors(solution: Solution) -> Array:
     w = surface_settlement(s, solution.U)
     parts, n = _parts(problem)
     (at_two, _), (at_three, weights) = gauss(2), gauss(3)
-    own = w[:, mesh.elements]
-    own = own - own[..., 8:]  # else rounding makes slopes of a settlement that is everywhere the same
+    w_elements = w[:, mesh.elements]
+    w_elements = (
+        w_elements - w_elements[..., 8:]
+    )  # else rounding makes slopes of a settlement that is everywhere the same
     S = len(w)
-    inner, outer = (_slopes(points, mesh.xy, own) for points in (at_two, at_three))
+    inner, outer = (_slopes(points, mesh.xy, w_elements) for points in (at_two, at_three))
     at_nodes = np.einsum("na,eaxs->enxs", extrapolation(), inner)
     meeting = np.bincount(parts.ravel(), minlength=n)
     star = np.stack(
@@ -155,12 +157,12 @@ def _parts(problem: Problem) -> tuple[Integers, int]:
     under = np.zeros(len(problem.mesh.elements), dtype=np.int64)
     under[problem.plate.elements] = 1
     n = len(problem.mesh.nodes)
-    keys, own = np.unique(problem.mesh.elements + n * under[:, None], return_inverse=True)
-    return own.reshape(-1, 9), len(keys)
+    keys, number = np.unique(problem.mesh.elements + n * under[:, None], return_inverse=True)
+    return number.reshape(-1, 9), len(keys)
 
 
 def _slopes(points: Array, xy: Array, w: Array) -> Array:
     """Return the slopes along x and y (m, p, 2, S) of surfaces (S, m, 9) at points (p, 2) of elements."""
     _, dN = q9(points)
     inverse, _ = inverse_jacobian(dN, xy)
-    return np.stack([gradients(dN, inverse, each) for each in w], axis=-1)
+    return np.stack([gradients(dN, inverse, settlement) for settlement in w], axis=-1)

@@ -48,28 +48,30 @@ def find_governing(
     if not results:
         return ()
     reach = _Reach(next(iter(results.values())).plate)
-    known: list[_Candidate] = []
+    candidates: list[_Candidate] = []
     for candidate in (*_by_error(off), *_by_size(results)):
-        chosen = {each.combination for each in known}
+        chosen = {each.combination for each in candidates}
         if len(chosen) == MOST_GOVERNING and candidate.combination not in chosen:
             continue
-        if not any(reach.same_place(candidate, other) for other in known if other.quantity == candidate.quantity):
-            known.append(candidate)
-    governing = {each.combination for each in known}
+        if not any(reach.same_place(candidate, other) for other in candidates if other.quantity == candidate.quantity):
+            candidates.append(candidate)
+    governing = {each.combination for each in candidates}
     return tuple(name for name in results if name in governing)
 
 
 def _by_error(off: Mapping[str, Sequence[JudgedValue]]) -> list[_Candidate]:
     """Return the values that are off, the largest error first."""
-    found = [_Candidate(name, (value.label, value.sign), value) for name, values in off.items() for value in values]
-    return sorted(found, key=lambda each: -each.value.share)
+    candidates = [
+        _Candidate(name, (value.label, value.sign), value) for name, values in off.items() for value in values
+    ]
+    return sorted(candidates, key=lambda each: -each.value.share)
 
 
 def _by_size(results: Mapping[str, CombinationResult]) -> Iterator[_Candidate]:
     """Yield the values that may be the largest of all combinations, the one that may be largest first."""
     by_quantity: dict[tuple[str, int], list[tuple[float, float, _Candidate]]] = {}
-    for name, found in results.items():
-        for value in judge(found) or guess(found):
+    for name, result in results.items():
+        for value in judge(result) or guess(result):
             size, error = _digits(value.sign * value.value), _digits(value.error)
             candidate = _Candidate(name, (value.label, value.sign), value)
             by_quantity.setdefault(candidate.quantity, []).append((size + error, size, candidate))

@@ -55,9 +55,9 @@ def judge(results: CombinationResult) -> list[JudgedValue]:
     """Return the judged values with their errors, the largest first; none without a coarser mesh to compare."""
     if results.comparison is None:
         return []
-    known = _judged_once(results)
+    judged_before = _judged_once(results)
     largest = results.largest or find_largest([results])
-    values = ((getattr(largest, against), value) for against, value in known)
+    values = ((getattr(largest, against), value) for against, value in judged_before)
     judged = (replace(value, share=value.share / size, error=value.share) for size, value in values if size > 0)
     return sorted(judged, key=lambda value: -value.share)
 
@@ -75,10 +75,12 @@ def _judged_once(results: CombinationResult) -> list[tuple[str, JudgedValue]]:
 
 def find_largest(combinations: Collection[CombinationResult]) -> LargestValues | None:
     """Return the largest values over some combinations, None of none."""
-    own = [_largest_of(results) for results in combinations]
-    if not own:
+    largest = [_largest_of(results) for results in combinations]
+    if not largest:
         return None
-    return LargestValues(**{item.name: max(getattr(each, item.name) for each in own) for item in fields(LargestValues)})
+    return LargestValues(
+        **{item.name: max(getattr(values, item.name) for values in largest) for item in fields(LargestValues)}
+    )
 
 
 def judge_together(combinations: Mapping[str, CombinationResult]) -> dict[str, CombinationResult]:
@@ -171,8 +173,8 @@ def _extreme(
     """
 
     def of(mesh: CombinationResult) -> Array:
-        own: Array = getattr(mesh.plate, name)[judged]
-        return np.abs(own) if name in SIZES else sign * own
+        judged_values: Array = getattr(mesh.plate, name)[judged]
+        return np.abs(judged_values) if name in SIZES else sign * judged_values
 
     nodes, values = results.plate.nodes[judged], of(results)
     if coarser is None:

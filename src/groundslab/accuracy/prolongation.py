@@ -36,16 +36,16 @@ class Prolongation:
         """Return fields on the coarser mesh as fields on the finer one, without section forces of elements."""
         names = [name for name in fields.nodal if name not in OF_THE_MESH]
         columns = np.column_stack([fields.nodal[name] for name in names])
-        found = dict(zip(names, (self.plate @ columns).T, strict=True))
-        found |= {name: np.maximum(found[name], fields.nodal[name].min()) for name in OF_CONTACT}
-        found["in_contact"] = (found["in_contact"] > 0.5).astype(np.float64)
+        prolonged = dict(zip(names, (self.plate @ columns).T, strict=True))
+        prolonged |= {name: np.maximum(prolonged[name], fields.nodal[name].min()) for name in OF_CONTACT}
+        prolonged["in_contact"] = (prolonged["in_contact"] > 0.5).astype(np.float64)
         touches = fields.nodal["contact_area"]
         share = np.clip(self.plate @ (touches / fields.nodal["area"]), 0, 1) * self.finer.area
-        found["contact_area"] = share * (touches.sum() / share.sum()) if share.any() else share
-        found["line_force"] = np.where(self.finer.edge_length > 0, found["line_force"], 0.0)
+        prolonged["contact_area"] = share * (touches.sum() / share.sum()) if share.any() else share
+        prolonged["line_force"] = np.where(self.finer.edge_length > 0, prolonged["line_force"], 0.0)
         return MeshedFields(
             forces=np.zeros((0, 9, 5)),
-            nodal=found | {"area": self.finer.area, "edge_length": self.finer.edge_length},
+            nodal=prolonged | {"area": self.finer.area, "edge_length": self.finer.edge_length},
             elements={name: field[self.element] for name, field in fields.elements.items()},
             surfaces=(self.ground @ fields.surfaces.T).T,
             cells=fields.cells,

@@ -86,12 +86,12 @@ def limits_without_contact(model: Model, nodes: Array) -> Limits:
 
 def _near(nodes: Array, edges: list[Segment], reach: float) -> Flags:
     """Return which nodes (n, 2) are within reach [m] of edges."""
-    found = np.zeros(len(nodes), dtype=bool)
+    is_near = np.zeros(len(nodes), dtype=bool)
     for edge in edges:
         x0, x1, y0, y1 = edge.bounds
-        some = numbers_within(nodes, (x0 - reach, x1 + reach, y0 - reach, y1 + reach))
-        found[some[edge.distance(nodes[some]) <= reach]] = True
-    return found
+        inside = numbers_within(nodes, (x0 - reach, x1 + reach, y0 - reach, y1 + reach))
+        is_near[inside[edge.distance(nodes[inside]) <= reach]] = True
+    return is_near
 
 
 def _creases(model: Model) -> Iterator[Segment]:

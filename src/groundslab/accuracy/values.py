@@ -65,11 +65,11 @@ def reduction_of(results: CombinationResult, field: str) -> Array:
     if field in OF_THE_WHOLE or local is None:
         return np.full(len(plate.nodes), min(comparison.reduction, SLOWEST))
     faster = RECOVERED if field != "pressure" and results.solved_model.mesh.adaptive else 1.0
-    found = np.clip(local**faster, FASTEST_AROUND, SLOWEST_AROUND)
+    reduction = np.clip(local**faster, FASTEST_AROUND, SLOWEST_AROUND)
     if field == "pressure":
         uneven = find_hanging(plate.elements)[:, 1:]
-        found[uneven] = np.maximum(found[uneven], FIRST_ORDER)
-    return found
+        reduction[uneven] = np.maximum(reduction[uneven], FIRST_ORDER)
+    return reduction
 
 
 def estimate_errors(

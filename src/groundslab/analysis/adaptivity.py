@@ -78,20 +78,20 @@ def solve_adaptively(
     on. on_mesh is called with the results on each mesh on which all are solved before the next one is made; another
     call may start from them.
     """
-    given, names = local_sizes(model), [combination.name for combination in list_combinations(model)]
+    sizes_given, names = local_sizes(model), [combination.name for combination in list_combinations(model)]
     drafted = _has_draft(model, len(names))
     if start is None:
-        analysis, kept = begin(Meshes(local=given))
+        analysis, kept = begin(Meshes(local=sizes_given))
         results = analysis(names, drafted)
     else:
         results, kept = start
     if not model.mesh.adaptive:
         return results, kept
     course = _follow(results, model.mesh, share, len(names), int(drafted))
-    if drafted and not any(found.comparison for found in results.values()):
+    if drafted and not any(result.comparison for result in results.values()):
         course.latest |= results
         if start is not None:
-            analysis, kept = begin(Meshes(local=given))
+            analysis, kept = begin(Meshes(local=sizes_given))
         elif on_mesh is not None:
             on_mesh(course.label(results))
         governing = find_governing(results, {}) or tuple(names)
@@ -110,7 +110,7 @@ def solve_adaptively(
             if on_mesh is not None:
                 on_mesh(course.label(results))
         course.before |= course.now
-        analysis, kept = begin(Meshes(local=join(finer, given)))
+        analysis, kept = begin(Meshes(local=join(finer, sizes_given)))
         results = analysis(governing, False)
         course.count(results)
 
@@ -138,18 +138,18 @@ class _Course:
 
     def count(self, results: Results) -> None:
         """Count another mesh, that of some results."""
-        self.made = (*self.made, *(found.unknowns for found in list(results.values())[:1]))
+        self.made = (*self.made, *(result.unknowns for result in list(results.values())[:1]))
 
     def judge(self, results: Results) -> dict[str, list[JudgedValue]]:
         """Return the errors on a mesh that are too large and may still fall, the largest first, by the combination."""
         self.latest |= results
         together = judge_together(self.latest)
         judged = {name: judge(together[name]) for name in results}
-        self.now = {name: {each.label: each.share for each in reversed(values)} for name, values in judged.items()}
-        found = {name: [each for each in values if self._may_fall(name, each)] for name, values in judged.items()}
-        largest = max((each.share for values in judged.values() for each in values), default=0.0)
+        self.now = {name: {value.label: value.share for value in reversed(values)} for name, values in judged.items()}
+        off = {name: [value for value in values if self._may_fall(name, value)] for name, values in judged.items()}
+        largest = max((value.share for values in judged.values() for value in values), default=0.0)
         self.end = "accurate" if largest <= self.accuracy else "no progress"
-        return {name: errors for name, errors in found.items() if errors}
+        return {name: errors for name, errors in off.items() if errors}
 
     def _may_fall(self, name: str, value: JudgedValue) -> bool:
         """Return whether an error is too large and fell from one mesh to the next, or was not too large before.
@@ -167,7 +167,7 @@ class _Course:
         if len(self.made) == MOST_MESHES + self.drafts:
             self.end = "most meshes"
             return None
-        demands = [_demand(results[name], found, self.accuracy) for name, found in off.items()]
+        demands = [_demand(results[name], off_values, self.accuracy) for name, off_values in off.items()]
         first = next(iter(results.values()))
         mesh = Mesh(first.plate.nodes, first.plate.elements)
         area, sizes = areas(mesh.xy), np.min(demands, axis=0)
@@ -184,19 +184,19 @@ class _Course:
     def label(self, results: Results) -> Results:
         """Return results with the history of their mesh."""
         history = MeshHistory(self.made, self.end, self.needed)
-        known = {
-            name: replace(found, mesh_history=replace(history, before=tuple(self.before.get(name, {}).items())))
-            for name, found in results.items()
+        labels = {
+            name: replace(result, mesh_history=replace(history, before=tuple(self.before.get(name, {}).items())))
+            for name, result in results.items()
         }
-        return replace(results, results=known)
+        return replace(results, results=labels)
 
 
 def _follow(results: Results, wanted: Wanted, share: float, combinations: int, drafts: int) -> _Course:
     """Return the course of the meshes up to that of results, which may be the first."""
-    histories = {name: found.mesh_history or MeshHistory((found.unknowns,)) for name, found in results.items()}
-    made = next((each.unknowns for each in histories.values()), ())
-    before = {name: dict(each.before) for name, each in histories.items()}
-    return _Course(wanted, share * wanted.largest_error, combinations, drafts, made, before)
+    histories = {name: result.mesh_history or MeshHistory((result.unknowns,)) for name, result in results.items()}
+    unknowns = next((history.unknowns for history in histories.values()), ())
+    before = {name: dict(history.before) for name, history in histories.items()}
+    return _Course(wanted, share * wanted.largest_error, combinations, drafts, unknowns, before)
 
 
 def _demand(results: CombinationResult, judged: list[JudgedValue], accuracy: float) -> Array:
@@ -206,11 +206,11 @@ def _demand(results: CombinationResult, judged: list[JudgedValue], accuracy: flo
     assert density is not None
     mesh = Mesh(results.plate.nodes, results.plate.elements)
     h, p = np.sqrt(areas(mesh.xy)), float(np.clip(-np.log2(max(results.comparison.reduction, 1e-3)), *ORDERS))
-    spread = next((each.share for each in judged if each.label not in LOCAL), 0.0)
+    spread = next((value.share for value in judged if value.label not in LOCAL), 0.0)
     sizes = h if not spread else _equidistributed(h, density, p, _reduction(spread, accuracy))
     sizes = np.minimum(sizes, _near_values(mesh, h, judged, accuracy))
-    found: Array = np.clip(sizes, h / SMALLER, h)
-    return found
+    demand: Array = np.clip(sizes, h / SMALLER, h)
+    return demand
 
 
 def _equidistributed(h: Array, density: Array, p: float, ratio: float) -> Array:
@@ -225,8 +225,8 @@ def _equidistributed(h: Array, density: Array, p: float, ratio: float) -> Array:
     wanted = (h**p / density) ** (1 / (p + 1))
     squared = (density * h) ** 2
     left = (squared * (wanted / h) ** (2 * p)).sum()
-    found: Array = wanted * (squared.sum() / ratio**2 / left) ** (1 / (2 * p))
-    return found
+    sizes: Array = wanted * (squared.sum() / ratio**2 / left) ** (1 / (2 * p))
+    return sizes
 
 
 def _reduction(share: float, accuracy: float) -> float:
@@ -236,13 +236,13 @@ def _reduction(share: float, accuracy: float) -> float:
 
 def _near_values(mesh: Mesh, h: Array, judged: list[JudgedValue], accuracy: float) -> Array:
     """Return sizes (m,) [m] with which errors at the places of values fall to the accuracy; no limit elsewhere."""
-    found = np.full(len(h), np.inf)
-    for each in judged:
-        if len(each.around):
-            away = nearest_distance(mesh.xy[:, 8], each.around, np.inf) / h
-            reduction = max(_reduction(each.share, accuracy), LEAST_REDUCTION)
-            around = ALONG if each.label == CONTACT else AROUND
+    sizes = np.full(len(h), np.inf)
+    for value in judged:
+        if len(value.around):
+            away = nearest_distance(mesh.xy[:, 8], value.around, np.inf) / h
+            reduction = max(_reduction(value.share, accuracy), LEAST_REDUCTION)
+            around = ALONG if value.label == CONTACT else AROUND
             for reach, less in ((around, LEAST_REDUCTION), (around / 2, reduction)):
                 near = away <= reach
-                found[near] = np.minimum(found[near], h[near] / less)
-    return found
+                sizes[near] = np.minimum(sizes[near], h[near] / less)
+    return sizes

@@ -53,14 +53,14 @@ def _solve_cracked(level: Level, start: Solution, report: OnStep, finest: bool) 
     history: list[dict[str, float]] = []
     while len(history) < MAX_ITERATIONS:
         s = with_stiffness(uncracked, B)
-        own = replace(level, system=s, matrix=None)
-        solution = solve_load_step(LoadStep(s, own, 1.0, slip, finest, limit, report), solution)
-        found, moments = secant_stiffness(law, B, mean_moments(s.problem, solution.U))
-        history.append({"iteration": len(history) + 1, "error": law_error(found, moments, B)})
+        cracked_level = replace(level, system=s, matrix=None)
+        solution = solve_load_step(LoadStep(s, cracked_level, 1.0, slip, finest, limit, report), solution)
+        stiffness, moments = secant_stiffness(law, B, mean_moments(s.problem, solution.U))
+        history.append({"iteration": len(history) + 1, "error": law_error(stiffness, moments, B)})
         if history[-1]["error"] <= TOLERANCE:
             return solution
         if len(history) > 1 and history[-1]["error"] > GROWTH * history[-2]["error"]:
             extrapolation = Extrapolation()
-        tried = extrapolation.next(np.log(B), np.log(found))
+        tried = extrapolation.next(np.log(B), np.log(stiffness))
         B = np.exp(np.clip(tried, np.log(law.least), np.log(law.B_I)))
     raise NotConverged("the cracked stiffness", history, {"U": solution.U, "stiffness": B})

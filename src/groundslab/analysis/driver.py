@@ -107,8 +107,8 @@ def solve_combinations(
     start: Results | None = None,
 ) -> Results:
     """Solve every combination of a model as `solve` does, but keep a single one that is refused in `refused` too."""
-    if start is not None and (found := why_no_start(start, model)):
-        raise InputError([Issue("start", found, "provisional results of the same model")])
+    if start is not None and (refusal := why_no_start(start, model)):
+        raise InputError([Issue("start", refusal, "provisional results of the same model")])
     local = move_to_center(model)
     solved_model = as_solved(local)
 
@@ -209,8 +209,8 @@ def _analysis(model: Model, setting: Setting, report: Report) -> Analysis:
     """Return what solves the combinations of some names on the meshes of a setting."""
 
     def solve_named(names: Collection[str], draft: bool) -> Results:
-        own = replace(setting, outcomes={}, draft=True) if draft else setting
-        return analyze(model, own, report, names)
+        draft_setting = replace(setting, outcomes={}, draft=True) if draft else setting
+        return analyze(model, draft_setting, report, names)
 
     return solve_named
 

@@ -24,7 +24,7 @@ class Extrapolation:
         self.steps.append((found.ravel(), change))
         if len(self.steps) < 2:
             return found
-        outcomes, changes = (np.diff(np.array(each), axis=0) for each in zip(*self.steps, strict=True))
+        outcomes, changes = (np.diff(np.array(steps), axis=0) for steps in zip(*self.steps, strict=True))
         weights = np.linalg.lstsq(changes.T, change, rcond=1e-8)[0]
         tried: Array = (found.ravel() - weights @ outcomes).reshape(x.shape)
         return tried

@@ -67,7 +67,7 @@ class _ContactIteration:
         if self.expected is not None and self.near is None:
             self.state, self.near = self._start_from_coarser(problem, self.expected)
         try:
-            found = contact.solve(problem, level.factorization, self.state, step.max_iterations, report, self.near)
+            solution = contact.solve(problem, level.factorization, self.state, step.max_iterations, report, self.near)
         except NotConverged as error:
             last = error.last
             if step.finest and "force" in last:
@@ -75,9 +75,9 @@ class _ContactIteration:
                 state = np.where(last["closed"], CLOSED, OPEN)
                 require_hold(step.system.problem, Contact(last["u"], state, last["force"]))
             raise
-        self.near, self.state = found.u, found.state
+        self.near, self.state = solution.u, solution.state
         # where digits are few, what is found leads nowhere without refinement
-        return found if problem.A.exact_products is None else self._refine(found, problem)
+        return solution if problem.A.exact_products is None else self._refine(solution, problem)
 
     def _start_from_coarser(self, problem: ContactProblem, expected: Array) -> tuple[Integers, Array]:
         """Return states (c,) and unknowns (size,) to start from, by what was expected (n, F) from a coarser mesh.
@@ -164,10 +164,10 @@ def next_gamma(history: list[tuple[float, float]], slope: float) -> float:
     A secant step, kept inside the gammas known to be too small and too large; every third step halves these bounds, so
     that a contact zone that jumps with gamma cannot make the iteration wander forever.
     """
-    gamma, found = history[-1]
+    gamma, last = history[-1]
     slope = _slope(history, slope)
     # slopes near or above one would throw the secant far off; then one plain step is taken
-    trial = gamma + (found - gamma) / (1 - slope) if slope < 0.98 else found
+    trial = gamma + (last - gamma) / (1 - slope) if slope < 0.98 else last
     trial = min(max(trial, gamma / 4), 4 * gamma)
     low = max((a for a, b in history if b > a), default=0.0)
     high = min((a for a, b in history if b < a), default=np.inf)

@@ -127,8 +127,8 @@ class Level:
     def zone_like(self, coarser: Integers) -> Integers | None:
         """Return the states (c,) found for a combination whose states on the coarser mesh hardly differ, if any."""
         alike = [(before, after) for before, after in self.zones if len(before) == len(coarser)]
-        known = [(np.count_nonzero(before != coarser), after) for before, after in alike]
-        rank, state = min(known, key=lambda each: each[0], default=(np.inf, None))
+        counts = [(np.count_nonzero(before != coarser), after) for before, after in alike]
+        rank, state = min(counts, key=lambda each: each[0], default=(np.inf, None))
         return None if state is None or rank > ALIKE else state.astype(np.int64)
 
     def multiple(self, factors: Array) -> list[Solution]:
@@ -136,21 +136,21 @@ class Level:
 
         Bearings, forces and gamma alone. Where a gap, play or limit sets a scale, none are given.
         """
-        known = self.multiples.get(direction(factors))
+        solved = self.multiples.get(direction(factors))
         law = self.system.problem.contact.bearing.law
         if (
-            known is None
+            solved is None
             or not factors.any()
             or law.offset.any()
             or (np.isfinite(law.limit_force) & (law.limit_force > 0)).any()
         ):
             return []
-        ratio = np.abs(factors).max() / np.abs(known.factors).max()
-        return [each.scale_forces(ratio) for each in known.solutions]
+        ratio = np.abs(factors).max() / np.abs(solved.factors).max()
+        return [solution.scale_forces(ratio) for solution in solved.solutions]
 
     def keep_for_multiples(self, solved: Solved) -> None:
         """Keep what multiples of these loads start from on this mesh."""
-        bare = [each.without_unknowns(self.system) for each in solved.solutions]
+        bare = [solution.without_unknowns(self.system) for solution in solved.solutions]
         self.multiples.setdefault(direction(solved.factors), Solved(solved.factors, bare))
 
     def add(self, solved: Solved) -> None:
@@ -166,10 +166,10 @@ class Level:
 
     def clone(self) -> Level:
         """Return the same level with an analysis and a factor of its own, for use on another thread."""
-        own = make_factorization(self.solver, self.system)
-        on_continuum = None if self.on_continuum is None else replace(self.on_continuum, factorization=own)
+        factorization = make_factorization(self.solver, self.system)
+        on_continuum = None if self.on_continuum is None else replace(self.on_continuum, factorization=factorization)
         copied = replace(self, zones=[*self.zones], starts=[*self.starts])
-        return replace(copied, factorization=own, on_continuum=on_continuum, coarser_plate=None)
+        return replace(copied, factorization=factorization, on_continuum=on_continuum, coarser_plate=None)
 
 
 def make_factorization(solver: Solver, s: System) -> CachedFactorization:
@@ -220,16 +220,16 @@ class MeshHierarchy:
         for drafted in self.levels.values():
             if factors.tobytes() in drafted.solved:
                 return drafted.solved[factors.tobytes()].solutions
-        known = [*self.earlier, *level.starts]
-        nearest = min(known, key=lambda each: float(np.abs(each.factors - factors).sum()), default=None)
+        starts = [*self.earlier, *level.starts]
+        nearest = min(starts, key=lambda each: float(np.abs(each.factors - factors).sum()), default=None)
         return [] if nearest is None else nearest.solutions
 
     def solved(self) -> list[Solved]:
         """Return what was solved on the coarsest mesh and on a draft, in an order that no thread changes."""
-        found: dict[bytes, Solved] = {}
+        by_factors: dict[bytes, Solved] = {}
         for coarsening in sorted(self.levels, reverse=True):
-            found |= self.levels[coarsening].solved
-        return [found[key] for key in sorted(found)]
+            by_factors |= self.levels[coarsening].solved
+        return [by_factors[key] for key in sorted(by_factors)]
 
     def level(self, coarsening: int) -> Level:
         """Return one of the meshes with its system.
@@ -279,12 +279,16 @@ class MeshHierarchy:
     def prolongation(self, coarser: Solution, finer: Solution, frame: ResultMesh) -> Prolongation:
         """Return what takes fields from the next coarser mesh to the finest one, whose mesh of results is `frame`."""
         level, before = self.levels.get(self.finest), self.result_mesh(coarser, self.finest + 1)
-        known = None if level is None else level.prolongation
-        if known is None or known.coarser.mesh is not before.mesh or known.finer.mesh is not frame.mesh:
-            known = make_prolongation(before, frame, (coarser.system.problem.mesh, finer.system.problem.mesh))
+        prolongation = None if level is None else level.prolongation
+        if (
+            prolongation is None
+            or prolongation.coarser.mesh is not before.mesh
+            or prolongation.finer.mesh is not frame.mesh
+        ):
+            prolongation = make_prolongation(before, frame, (coarser.system.problem.mesh, finer.system.problem.mesh))
         if level is not None:
-            level.prolongation = known
-        return known
+            level.prolongation = prolongation
+        return prolongation
 
     def store(self, combination: str, solutions: list[Solution]) -> None:
         """Store the solutions of a combination, one for each load increment, for similar models."""
@@ -298,9 +302,10 @@ class MeshHierarchy:
     def matching(self, combination: str, s: System) -> list[Solution]:
         """Return the solutions of a similar model, if they are on the same mesh with the same bearings."""
         assert self.reference is not None
-        found = self.reference.solutions[combination, self.finest, self.margin]
+        solutions = self.reference.solutions[combination, self.finest, self.margin]
         bearings = len(s.problem.contact.bearing.law)
         alike = all(
-            each.system.problem.mesh is s.problem.mesh and len(each.contact.state) == bearings for each in found
+            solution.system.problem.mesh is s.problem.mesh and len(solution.contact.state) == bearings
+            for solution in solutions
         )
-        return found if alike and len(found) == self.model.analysis.increments else []
+        return solutions if alike and len(solutions) == self.model.analysis.increments else []

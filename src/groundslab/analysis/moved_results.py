@@ -38,7 +38,7 @@ def _move(results: Results, model: Model, by: Place) -> Results:
     return Results(
         model,
         results.combinations,
-        {name: _move_combination(each, models, by) for name, each in results.results.items()},
+        {name: _move_combination(result, models, by) for name, result in results.results.items()},
         {name: _move_refusal(error, models, by) for name, error in results.refused.items()},
     )
 
@@ -59,7 +59,7 @@ def _move_combination(results: CombinationResult, models: tuple[Model, Model], b
         joints=_move_each(results.joints, by),
         beams=_move_each(results.beams, by),
         bases=_move_each(results.bases, by),
-        increments=tuple(_move_state(each, by) for each in results.increments),
+        increments=tuple(_move_state(state, by) for state in results.increments),
         comparison=comparison and _move_comparison(comparison, by),
     )
 

@@ -44,7 +44,7 @@ def solve_nested(
     solved before, on this mesh or on the one made before; or it starts from that of a similar model, if that converges.
     On coarser meshes there may be none. factors (cases,) are those of the combination.
     """
-    model, found, before = hierarchy.model, dict[int, list[Solution]](), None
+    model, solutions, before = hierarchy.model, dict[int, list[Solution]](), None
     if hierarchy.has_reference(combination):
         level = hierarchy.level(hierarchy.finest)
         full = _full_load(model, level, factors, report, True)
@@ -55,24 +55,24 @@ def solve_nested(
     start = list[Solution]()
     for coarsening in _coarsenings(hierarchy):
         level = hierarchy.level(coarsening)
-        known = level.solved.get(factors.tobytes())
-        if known is not None:
-            start = known.solutions
+        solved = level.solved.get(factors.tobytes())
+        if solved is not None:
+            start = solved.solutions
         else:
-            start = level.multiple(factors) or (start if found else hierarchy.start(level, factors))
-            starts = _starts(hierarchy, combination, factors, start, first=not found)
+            start = level.multiple(factors) or (start if solutions else hierarchy.start(level, factors))
+            starts = _starts(hierarchy, combination, factors, start, first=not solutions)
             finest = coarsening == hierarchy.finest
             on_step = report if finest or model.analysis.nested else _ignore
             make_load = partial(_full_load, model, level, factors, on_step, finest, before)
             start = (_solve_finest if finest else _solve_coarser)(make_load, model, starts)
-        found[coarsening] = start
-        if start and len(found) == 1 and coarsening > 0:
+        solutions[coarsening] = start
+        if start and len(solutions) == 1 and coarsening > 0:
             level.add(Solved(factors, start))
         if start and hierarchy.keep:
             level.keep_for_multiples(Solved(factors, start))
         before = None if level.system.problem.elastic is None else level
     hierarchy.store(combination, start)
-    return found
+    return solutions
 
 
 def _starts(
@@ -140,7 +140,7 @@ def margin_effect(
     first, second = margins
     before = found.get(first.finest) or _solve_from(first, combination, factors, found[min(found)])
     after = _solve_from(second, combination, factors, before)
-    narrow, wide = (each[-1].U[each[-1].system.problem.plate.nodes, W] for each in (before, after))
+    narrow, wide = (solutions[-1].U[solutions[-1].system.problem.plate.nodes, W] for solutions in (before, after))
     problem = before[-1].system.problem
     largest = largest_of_parts(np.maximum(np.abs(narrow), np.abs(wide)), problem.plate_at_nodes[problem.plate.nodes])
     return float(np.divide(np.abs(wide - narrow), largest, out=np.zeros_like(largest), where=largest > 0).max())
@@ -153,10 +153,10 @@ def _solve_from(
     model = hierarchy.model
     level = hierarchy.level(hierarchy.finest)
     full = _full_load(model, level, factors, _ignore, True)
-    known = hierarchy.matching(combination, full.system) if hierarchy.has_reference(combination) else []
+    matching = hierarchy.matching(combination, full.system) if hierarchy.has_reference(combination) else []
     gammas = [each.gamma for each in found]
     with suppress(NotConverged, SingularMatrix):
-        solutions = _solve_increments(full, model, known or level.multiple(factors) or found, gammas)
+        solutions = _solve_increments(full, model, matching or level.multiple(factors) or found, gammas)
         level.keep_for_multiples(Solved(factors, solutions))
         hierarchy.store(combination, solutions)
         return solutions
@@ -165,8 +165,8 @@ def _solve_from(
 
 def required_coarsenings(hierarchy: MeshHierarchy, combinations: Sequence[str]) -> list[int]:
     """Return how often the mesh is coarsened for each of the meshes on which the combinations will be solved."""
-    known = all(map(hierarchy.has_reference, combinations))
-    return [hierarchy.finest] if known else _coarsenings(hierarchy)
+    has_references = all(map(hierarchy.has_reference, combinations))
+    return [hierarchy.finest] if has_references else _coarsenings(hierarchy)
 
 
 def _coarsenings(hierarchy: MeshHierarchy) -> list[int]:
@@ -216,9 +216,9 @@ def _solve_increments(
 
     gammas are those of the increments, where they are not to be found.
     """
-    found: list[Solution] = []
+    increments: list[Solution] = []
     for number in range(1, model.analysis.increments + 1):
-        start = coarser[number - 1] if coarser else (found[-1] if found else None)
+        start = coarser[number - 1] if coarser else (increments[-1] if increments else None)
 
         def report_increment(step: Step, number: int = number) -> None:
             full.report(replace(step, increment=number))
@@ -226,9 +226,9 @@ def _solve_increments(
         share = replace(
             full,
             factor=number / model.analysis.increments,
-            slip=found[-1].slip if found else full.slip,
+            slip=increments[-1].slip if increments else full.slip,
             report=report_increment,
             gamma=gammas[number - 1] if gammas else None,
         )
-        found.append(solve_load_step(share, start))
-    return found
+        increments.append(solve_load_step(share, start))
+    return increments

@@ -47,11 +47,11 @@ def solve_pressures(step: LoadStep, start: Solution | None) -> Solution:
     def report(iteration: int, bearing: int, changed: int) -> None:
         step.report(Step(s.pattern.size, 1, None, iteration, bearing, changed, step.finest))
 
-    found = _iterate(step, operator, law, f, _start(problem, start), report)
-    u = move(operator, f, found)
+    pressures = _iterate(step, operator, law, f, _start(problem, start), report)
+    u = move(operator, f, pressures)
     c = len(problem.elastic.gap) if problem.elastic else 0
-    contact = Contact(u, _states(law, found.x[c:]), found.x[c:])
-    pressed = Pressed(found.x[:c], found.y[:c])
+    contact = Contact(u, _states(law, pressures.x[c:]), pressures.x[c:])
+    pressed = Pressed(pressures.x[:c], pressures.y[:c])
     U, slip = _table(step, contact, pressed), step.slip + plastic_slip(law, contact)
     solution = Solution(s, U, contact, single(0.0, 0.0), None, law, slip, pressed=pressed)
     if step.finest:
@@ -78,15 +78,15 @@ def _iterate(
     extrapolation = Extrapolation()
     while True:
         problem = bound_forces(p, step.system.problem, law, f, further + beside, bend)
-        found = bounded_forces.solve(problem, x, tolerance, limit, report)
+        forces = bounded_forces.solve(problem, x, tolerance, limit, report)
         if ground.linear:
-            return found
-        x, settled = found.x, ground.settle(found.x[:c])
+            return forces
+        x, settled = forces.x, ground.settle(forces.x[:c])
         after = settled - ground.settle_mutually(x[:c])
         change = float(np.abs(after - further).max() / np.abs(settled).max(initial=1e-300))
         history.append({"iteration": len(history) + 1, "change": change})
         if change <= tolerance:
-            return found
+            return forces
         if len(history) >= step.max_iterations:
             raise NotConverged("the settlement of the ground", history, {"x": x})
         further = extrapolation.next(further, after)
@@ -119,10 +119,10 @@ def _require_resolution(p: PlateOnContinuum) -> None:
 def _operator(level: Level, s: System) -> PlateOnContinuum:
     """Return the plate of a level on its continuum, factorized if it is not yet."""
     A = level.stiffness(single(0.0, 0.0), None)
-    known = level.on_continuum
-    if known is None or known.A is not A:
-        known = level.on_continuum = make_plate_on_continuum(s, A, level.factorization)
-    return known
+    operator = level.on_continuum
+    if operator is None or operator.A is not A:
+        operator = level.on_continuum = make_plate_on_continuum(s, A, level.factorization)
+    return operator
 
 
 def _states(law: Bearings, force: Array) -> Integers:
@@ -137,18 +137,18 @@ def _start(problem: Problem, start: Solution | None) -> Array:
     cells, supports = problem.elastic.cells, len(problem.contact.bearing.law)
     if start is None or start.pressed is None:
         return np.concatenate([cells.area, np.zeros(supports)])
-    known = start.system.problem
-    assert known.elastic is not None
-    if known.mesh is problem.mesh and len(known.elastic.gap) == len(cells.area):
+    start_problem = start.system.problem
+    assert start_problem.elastic is not None
+    if start_problem.mesh is problem.mesh and len(start_problem.elastic.gap) == len(cells.area):
         return np.concatenate([start.pressed.force, start.contact.force])
     on_supports = np.zeros(supports)
     for number in np.unique(problem.contact.bearing.support):
-        own, before = problem.contact.bearing.support == number, known.contact.bearing.support == number
+        on_ground, before = problem.contact.bearing.support == number, start_problem.contact.bearing.support == number
         # a line hands its force to more nodes
-        on_supports[own] = start.contact.force[before].sum() / own.sum()
+        on_supports[on_ground] = start.contact.force[before].sum() / on_ground.sum()
     # below zero over open gaps, so that pressures on the finer cells end where the contact does
-    tension = np.maximum(start.pressed.gap, 0.0) / known.elastic.flexibility.own
-    return np.concatenate([prolong(known.elastic.cells, start.pressed.force - tension, cells), on_supports])
+    tension = np.maximum(start.pressed.gap, 0.0) / start_problem.elastic.flexibility.own
+    return np.concatenate([prolong(start_problem.elastic.cells, start.pressed.force - tension, cells), on_supports])
 
 
 def _table(step: LoadStep, contact: Contact, pressed: Pressed) -> Array:

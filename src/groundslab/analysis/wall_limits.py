@@ -23,10 +23,10 @@ def with_limits(results: Results, model: Model, analyze: Callable[[Model], Resul
     limits: dict[str, list[WallLimit]] = {name: [] for name in results.results}
     for share in (0.0, 1.0):
         walls = tuple(wall if wall.height is None else wall.replace(stiffness=share or NONE) for wall in model.walls)
-        found = analyze(model.model_copy(update={"walls": walls}))
-        for name in limits.keys() & found.results.keys():
-            limits[name].append((share, tuple(_extremes(found, name))))
-    told = {name: replace(each, wall_limits=tuple(limits[name])) for name, each in results.results.items()}
+        results_of_limit = analyze(model.model_copy(update={"walls": walls}))
+        for name in limits.keys() & results_of_limit.results.keys():
+            limits[name].append((share, tuple(_extremes(results_of_limit, name))))
+    told = {name: replace(result, wall_limits=tuple(limits[name])) for name, result in results.results.items()}
     return replace(results, results=told)
 
 

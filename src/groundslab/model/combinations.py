@@ -50,20 +50,20 @@ def list_unmoved(model: Model) -> tuple[Combination, ...]:
     """Return the combinations as if nothing moved: those given first, then those made."""
     if not model.cases:
         return (Combination(name="all loads", limit_state="characteristic", factors={"": 1.0}),)
-    made: tuple[Combination, ...] = ()
+    generated: tuple[Combination, ...] = ()
     if model.combine is not None:
-        made = make_combinations(model.combine, model.cases)
+        generated = make_combinations(model.combine, model.cases)
     if not model.combinations and model.combine is None:
         return tuple(
             Combination(name=case.name, limit_state="characteristic", factors={case.name: 1.0}) for case in model.cases
         )
-    return (*model.combinations, *made)
+    return (*model.combinations, *generated)
 
 
 def case_factors(model: Model, combination: Combination) -> Array:
     """Return the factor of each load case of a model in a combination, (cases,); 1 without cases."""
-    given = dict(combination.factors)
-    return np.array([given.get(case.name, 0.0) for case in model.cases] or [1.0])
+    factors = dict(combination.factors)
+    return np.array([factors.get(case.name, 0.0) for case in model.cases] or [1.0])
 
 
 def place_patterns(model: Model) -> Model:

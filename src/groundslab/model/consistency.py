@@ -136,8 +136,8 @@ def check_continuum(
         return
     varying: list[tuple[str, tuple[object, ...]]] = [("soil_zones", soil_zones)]
     varying += [("boreholes", boreholes)] if isinstance(ground, Continuum) else []
-    for name, given in varying:
-        if given:
+    for name, items in varying:
+        if items:
             hint = 'boreholes go with ground.kind = "constrained modulus" or "vlasov"'
             repairs = (remove((name,)),)
             yield RelativeIssue((name,), f"{name} in {quote(ground.kind)} ground", "no such", hint, repairs)
@@ -236,9 +236,9 @@ def check_supports(
 def check_settlement_loads(loads: tuple[AnyLoad, ...], supports: tuple[AnySupport, ...]) -> Iterator[RelativeIssue]:
     """Find imposed settlements of unknown supports."""
     names = [support.name for support in supports if support.name]
-    known = set(names)
+    known_names = set(names)
     for position, load in enumerate(loads):
-        if isinstance(load, SettlementLoad) and load.support not in known:
+        if isinstance(load, SettlementLoad) and load.support not in known_names:
             expected = one_of(names) if names else "a support, and [[supports]] that says where it is"
             place = ("loads", position, "support")
             hint, repairs = suggestion(load.support, names), use_nearest(place, load.support, names)
@@ -294,13 +294,13 @@ def check_supports_on_joints(
         return
     from shapely import LineString, Point
 
-    known = {slab.name: slab for slab in list_plates(plate, plates)}
+    by_name = {slab.name: slab for slab in list_plates(plate, plates)}
     x0, x1, y0, y1 = bounds_of(plate, plates)
     near = TOO_CLOSE * max(x1 - x0, y1 - y0)
     for joint in joints:
-        if not all(name in known for name in joint.between):
+        if not all(name in by_name for name in joint.between):
             continue
-        line = shared_line(*(known[name] for name in joint.between)).buffer(near)
+        line = shared_line(*(by_name[name] for name in joint.between)).buffer(near)
         for position, support in enumerate(supports):
             if support.edges:
                 held = line.intersection(LineString(support.points)).length > 4 * near

@@ -182,11 +182,11 @@ AnyLayer = Annotated[SoilLayer | InterfaceLayer, ByKind(_layer_kind)]
 
 
 def _check_layer_kinds(layers: tuple[SoilLayer | InterfaceLayer, ...], coupling: str) -> Iterator[RelativeIssue]:
-    given = [isinstance(layer, InterfaceLayer) for layer in layers]
+    interfaces = [isinstance(layer, InterfaceLayer) for layer in layers]
     if coupling == "consistent":
-        for position in (position for position, by_k in enumerate(given) if by_k):
+        for position in (position for position, by_k in enumerate(interfaces) if by_k):
             yield RelativeIssue(("layers", position), "k0 and k1", 'E, nu and thickness, as coupling is "consistent"')
-    elif any(given) and not all(given):
+    elif any(interfaces) and not all(interfaces):
         expected = "all layers given by k0 and k1, or all by E, nu and thickness"
         yield RelativeIssue(("layers",), "layers of both kinds", expected)
 

@@ -209,7 +209,7 @@ class Model(Section):
     @property
     def spans(self) -> tuple[Segment, ...]:
         """Return where members span openings of the plates."""
-        return tuple(span for each in self.members for span in spans_as_segments(each, self.plate, self.plates))
+        return tuple(span for member in self.members for span in spans_as_segments(member, self.plate, self.plates))
 
     @property
     def spans_of_walls(self) -> dict[str, Ways]:

@@ -168,8 +168,8 @@ def check_reactions(
     bases = [column.name for column in columns] + [wall.name for wall in walls]
     pairs = [(("cases", n, "case"), pair.case, known_cases) for n, pair in enumerate(reactions.cases)]
     pairs += [(("supports", n, "on"), pair.on, bases) for n, pair in enumerate(reactions.supports)]
-    for place, name, known in pairs:
-        if name not in known:
-            expected = one_of(known) if known else f"[[{place[0]}]] that have it"
+    for place, name, names in pairs:
+        if name not in names:
+            expected = one_of(names) if names else f"[[{place[0]}]] that have it"
             path = ("reactions", *place)
-            yield RelativeIssue(path, describe(name), expected, suggestion(name, known), use_nearest(path, name, known))
+            yield RelativeIssue(path, describe(name), expected, suggestion(name, names), use_nearest(path, name, names))

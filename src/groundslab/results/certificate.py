@@ -56,8 +56,8 @@ def certificate(solution: Solution, margin_effect: float | None) -> Certificate:
     # what the supports push on the plate
     support = np.where(fixed[:, :TOP], rest[:, :TOP], 0.0)
     support[:, W] *= _own_w(problem)
-    own = bearing.field < TOP
-    np.add.at(support, (bearing.node[own], bearing.field[own]), (bearing.law.sign * c.force)[own])
+    on_plate = bearing.field < TOP
+    np.add.at(support, (bearing.node[on_plate], bearing.field[on_plate]), (bearing.law.sign * c.force)[on_plate])
     across = problem.links.spread(resisting.joints, len(U))
     support -= across[:, :TOP] + problem.turned(across)
     # what presses on the ground beside the plate's edge does not reach the plate
@@ -74,17 +74,17 @@ def certificate(solution: Solution, margin_effect: float | None) -> Certificate:
         _balance(plate, contact, support, above, np.abs(c.force[held & elastic]), float(least[number]))
         for number, (plate, held) in enumerate(single_plates(problem))
     ]
-    size = sum(each.size for each in balances)
+    size = sum(balance.size for balance in balances)
 
-    scales = _scales(problem, U, np.array([each.size for each in balances]))
+    scales = _scales(problem, U, np.array([balance.size for balance in balances]))
     gap, force, product = _bearing_errors(solution, scales)
     share = 2.0 ** sum(problem.symmetry)
     return Certificate(
         residual=residual,
-        load=sum(each.load for each in balances) * share,
-        reaction=sum(each.reaction for each in balances) * share,
-        force_balance=max(each.force for each in balances),
-        moment_balance=max(each.moment for each in balances),
+        load=sum(balance.load for balance in balances) * share,
+        reaction=sum(balance.reaction for balance in balances) * share,
+        force_balance=max(balance.force for balance in balances),
+        moment_balance=max(balance.moment for balance in balances),
         ground_balance=float(abs(_sum_down(solution, rest) - pushed - beside) / (size + abs(beside))),
         worst_gap=gap,
         worst_pressure=force,
@@ -109,9 +109,9 @@ def _scales(problem: Problem, U: Array, size: Array) -> _Scales:
     """Return the scales of plates whose forces have a size (plates,) [N]."""
     settlement = np.zeros(len(size))
     for number in range(len(size)):
-        own = problem.nodes_of(number)
-        length = np.ptp(problem.mesh.nodes[own], axis=0).max()
-        settlement[number] = max(np.abs(U[own, W]).max(), NOTHING * length)
+        nodes = problem.nodes_of(number)
+        length = np.ptp(problem.mesh.nodes[nodes], axis=0).max()
+        settlement[number] = max(np.abs(U[nodes, W]).max(), NOTHING * length)
     least = LEAST * settlement.max()
     return _Scales(np.maximum(settlement, least), NOTHING / Certificate.TOLERANCE * size)
 
@@ -166,7 +166,7 @@ def _balance(plate: Problem, contact: Array, support: Array, above: Array, sprin
     What the building above (n, 3) takes off a plate is less of a load.
     """
     under, load = plate.plate.nodes, plate.plate_load - above
-    nodes, load, contact, support = (each[under] for each in (plate.mesh.nodes, load, contact, support))
+    nodes, load, contact, support = (nodal[under] for nodal in (plate.mesh.nodes, load, contact, support))
     # moments about the plate's middle, as far from it they would be differences of large numbers
     nodes = nodes - (nodes.min(axis=0) + nodes.max(axis=0)) / 2
     up = np.column_stack([contact, np.zeros((len(nodes), 2))])
@@ -235,7 +235,7 @@ def _bearing_errors(solution: Solution, scales: _Scales) -> tuple[float, float, 
     force = np.where(one_sided, np.maximum(-c.force, c.force - law.limit_force), 0.0) / scale
     product = np.where(one_sided & ~yielding, np.abs(c.force * way), 0.0) / scale / settlement
     of_bearings = float(broken.max(initial=0.0)), float(force.max()), float(product.max())
-    way_off, force_off, product_off = (max(0.0, *each) for each in zip(of_bearings, of_cells, strict=True))
+    way_off, force_off, product_off = (max(0.0, *errors) for errors in zip(of_bearings, of_cells, strict=True))
     return way_off, force_off, product_off
 
 
@@ -264,10 +264,10 @@ def _pile_errors(solution: Solution, piles: PileGroup) -> Array:
     load = solution.contact.force[piles.bearing]
     deeper = solution.law.penetration(solution.contact.u)[piles.bearing] - piles.settle(load, solution.pressed.force)
     below, above = np.where(load >= piles.upper, 0.0, deeper), np.where(load <= piles.lower, 0.0, -deeper)
-    found: Array = np.maximum(
+    errors: Array = np.maximum(
         np.maximum(below, above), np.maximum(load - piles.upper, piles.lower - load) * np.diag(piles.own)
     )
-    return found
+    return errors
 
 
 def _cell_errors(solution: Solution, scales: _Scales) -> tuple[float, float, float]:
@@ -295,10 +295,10 @@ def _cell_errors(solution: Solution, scales: _Scales) -> tuple[float, float, flo
 
 def _own_w(problem: Problem) -> Array:
     """Return 0.0 at centers whose w hangs on other nodes, else 1.0, (n,): no support can push there."""
-    own = np.ones(len(problem.mesh.nodes))
+    scale = np.ones(len(problem.mesh.nodes))
     if not problem.plate.element.center_w:
-        own[problem.mesh.elements[problem.plate.elements, 8]] = 0.0
-    return own
+        scale[problem.mesh.elements[problem.plate.elements, 8]] = 0.0
+    return scale
 
 
 def _resultant(nodes: Array, forces: Array) -> Array:

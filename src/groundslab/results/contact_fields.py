@@ -32,10 +32,12 @@ def contact_fields(solution: Solution, frame: ResultMesh) -> tuple[dict[str, Arr
     problem, elements = solution.system.problem, frame.mesh.elements
     pressure, touching, gap, sunk, line_force = _at_depths(solution, frame)
     if len(find_hanging(problem.mesh.elements)):
-        pressure, touching, gap, sunk = (carry(problem.mesh.elements, each) for each in (pressure, touching, gap, sunk))
+        pressure, touching, gap, sunk = (
+            carry(problem.mesh.elements, nodal) for nodal in (pressure, touching, gap, sunk)
+        )
         touching = (touching > HALF).astype(np.float64)
         if problem.contact.tensionless:
-            pressure, gap, sunk = (np.maximum(each, 0.0) for each in (pressure, gap, sunk))
+            pressure, gap, sunk = (np.maximum(nodal, 0.0) for nodal in (pressure, gap, sunk))
     of = problem.mesh.elements[problem.plate.elements]
     share = frame.mean * areas(frame.mesh.xy)[:, None]
 
@@ -80,9 +82,9 @@ def _area_that_touches(solution: Solution, of: Integers, touches: Array) -> Arra
     if not len(mixed) or not lifts_off_springs(solution):
         return touches
     above = s.problem.contact.initial_gap - plate_settlement(s, solution.U)
-    found = touches.copy()
-    found[mixed] = share_below_zero(carry(s.problem.mesh.elements, above)[of[mixed]])[:, None]
-    return found
+    area = touches.copy()
+    area[mixed] = share_below_zero(carry(s.problem.mesh.elements, above)[of[mixed]])[:, None]
+    return area
 
 
 def lifts_off_springs(solution: Solution) -> bool:
@@ -158,10 +160,10 @@ def _at_depths(solution: Solution, frame: ResultMesh) -> tuple[Array, Array, Arr
 
     depth = np.where(np.isfinite(below.depth), below.depth, 0.0)
     first = below.shallowest[under]
-    own = problem.contact.initial_gap - depth[below.shallowest]
+    clearance = problem.contact.initial_gap - depth[below.shallowest]
     opened = U[under, TOP] + problem.contact.initial_gap[under] + sunk[under, first]
     # ground without shear that bears nothing does not settle
-    alone = own - plate_settlement(s, U) if below.stepped else np.zeros(len(own))
+    alone = clearance - plate_settlement(s, U) if below.stepped else np.zeros(len(clearance))
     if not below.stepped:
         alone[under] = opened - depth[first]
     gap[under] = np.maximum(alone[under, None] + depth, 0.0)
@@ -201,7 +203,7 @@ def share_below_zero(values: Array) -> Array:
     Elements are taken as parallelograms.
     """
     steps = np.linspace(-1.0, 1.0, PARTS + 1)
-    points = np.column_stack([each.ravel() for each in np.meshgrid(steps, steps)])
+    points = np.column_stack([coordinate.ravel() for coordinate in np.meshgrid(steps, steps)])
     at = (values @ q9(points)[0].T).reshape(-1, PARTS + 1, PARTS + 1)
     low, right, up, far = at[:, :-1, :-1], at[:, :-1, 1:], at[:, 1:, :-1], at[:, 1:, 1:]
     halves = np.stack([np.stack([low, right, far], axis=-1), np.stack([low, up, far], axis=-1)], axis=-2)

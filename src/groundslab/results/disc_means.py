@@ -95,10 +95,10 @@ class DiscMeans:
 
     def _with(self, field: Array, means: Array) -> Array:
         """Return a field (n, ...) with means (r, ...) at these nodes."""
-        found = field.copy()
-        found[self.nodes] = means
-        found[self.between] = found[self.corners].mean(axis=1)
-        return found
+        averaged = field.copy()
+        averaged[self.nodes] = means
+        averaged[self.between] = averaged[self.corners].mean(axis=1)
+        return averaged
 
 
 def _corrections(rows: Integers, of: Array, off: Array, count: int) -> Array:
@@ -139,30 +139,30 @@ def make_disc_means(model: Model, mesh: Mesh, section: Integers, thickness: Arra
     first = np.array(first_sections(model.every_plate))
     parts, across = [csr_array((0, len(mesh.nodes)))], list[AcrossEdge]()
     for start in range(0, len(nodes), CHUNK):
-        some = nodes[start : start + CHUNK]
-        row, offset, weight = _disc_points(mesh.nodes[some], t[some] / 2, singular)
-        points = mesh.nodes[some[row]] + offset
+        chunk = nodes[start : start + CHUNK]
+        row, offset, weight = _disc_points(mesh.nodes[chunk], t[chunk] / 2, singular)
+        points = mesh.nodes[chunk[row]] + offset
         element, place = locate(mesh, points, boxes=boxes)
-        inside = (element >= 0) & (section[element] == of_node[some[row]])
+        inside = (element >= 0) & (section[element] == of_node[chunk[row]])
         disc = _Points(row[inside], weight[inside], element[inside], place[inside])
-        parts.append(_mean_over(disc, mesh, some))
-        of_plate = np.searchsorted(first, of_node[some], side="right") - 1
+        parts.append(_mean_over(disc, mesh, chunk))
+        of_plate = np.searchsorted(first, of_node[chunk], side="right") - 1
         for edge in edges:
             beside = turns[start : start + CHUNK] & (of_plate == edge.plate)
-            rows = np.flatnonzero(beside & edge.near(mesh.nodes[some], t[some] / 2))
+            rows = np.flatnonzero(beside & edge.near(mesh.nodes[chunk], t[chunk] / 2))
             beyond = np.flatnonzero(np.isin(row, rows) & ~inside & edge.faces(points))
             turned, at = locate(mesh, edge.mirrored(points[beyond]), boxes=boxes)
-            known = (turned >= 0) & (section[turned] == of_node[some[row[beyond]]])
-            if not known.any():
+            same_section = (turned >= 0) & (section[turned] == of_node[chunk[row[beyond]]])
+            if not same_section.any():
                 continue
-            beyond, own = beyond[known], np.isin(disc.row, rows)
+            beyond, in_rows = beyond[same_section], np.isin(disc.row, rows)
             both = _Points(
-                np.concatenate([disc.row[own], row[beyond]]),
-                np.concatenate([disc.weight[own], -weight[beyond]]),
-                np.concatenate([disc.element[own], turned[known]]),
-                np.concatenate([disc.place[own], at[known]]),
+                np.concatenate([disc.row[in_rows], row[beyond]]),
+                np.concatenate([disc.weight[in_rows], -weight[beyond]]),
+                np.concatenate([disc.element[in_rows], turned[same_section]]),
+                np.concatenate([disc.place[in_rows], at[same_section]]),
             )
-            across.append(AcrossEdge(start + rows, edge.inward, _mean_over(both, mesh, some)[rows], edge.twists))
+            across.append(AcrossEdge(start + rows, edge.inward, _mean_over(both, mesh, chunk)[rows], edge.twists))
     return DiscMeans(nodes, vstack(parts, format="csr"), between, corners, tuple(across))
 
 
@@ -212,19 +212,19 @@ class _Edge:
         # at a corner that points out of the plate its disc may reach past the edge
         low, high = (way - (1 - 2 * corner) * half * side for side, corner in zip((1, -1), self.corners, strict=True))
         least = ROUNDING * reach
-        found: Flags = (half > least) & (low > least) & (high < self.length - least)
-        return found
+        is_near: Flags = (half > least) & (low > least) & (high < self.length - least)
+        return is_near
 
     def faces(self, points: Array) -> Flags:
         """Return which points (p, 2) lie beyond the edge, between its ends."""
         way = (points - self.start) @ self.along
-        found: Flags = ((points - self.start) @ self.inward < 0) & (way >= 0) & (way <= self.length)
-        return found
+        faces_it: Flags = ((points - self.start) @ self.inward < 0) & (way >= 0) & (way <= self.length)
+        return faces_it
 
     def mirrored(self, points: Array) -> Array:
         """Return the points (p, 2) on the other side of the edge."""
-        found: Array = points - 2 * ((points - self.start) @ self.inward)[:, None] * self.inward
-        return found
+        images: Array = points - 2 * ((points - self.start) @ self.inward)[:, None] * self.inward
+        return images
 
 
 def _edges_near(model: Model, nodes: Array, reach: Array) -> Iterator[_Edge]:
@@ -262,8 +262,8 @@ def _turn_freely(model: Model, nodes: Array, reach: Array) -> Flags:
     if held.is_empty:
         return np.ones(len(nodes), dtype=bool)
     shapely.prepare(held)
-    found: Flags = ~shapely.dwithin(shapely.points(nodes), held, (1 + ROUNDING) * reach)
-    return found
+    free: Flags = ~shapely.dwithin(shapely.points(nodes), held, (1 + ROUNDING) * reach)
+    return free
 
 
 def _points_out(ring: Ring, turn: float) -> list[bool]:
@@ -333,14 +333,14 @@ def _disc_points(centres: Array, radius: Array, singular: Sequence[Place]) -> tu
 
     # a part is a piece of a ring and of a ray; by squares of the radius, rings have the sizes of Gauss's weights
     x, of_ring = np.polynomial.legendre.leggauss(RINGS)
-    ring, ray = (each.ravel() for each in np.indices((RINGS, RAYS)))
+    ring, ray = (grid.ravel() for grid in np.indices((RINGS, RAYS)))
     height, wide = of_ring / 2, 2 * np.pi / RAYS
     first = np.column_stack([(np.cumsum(height) - height)[ring], height[ring], wide * ray, np.full(len(ring), wide)])
     row, part = np.repeat(np.arange(len(centres)), len(first)), np.tile(first, (len(centres), 1))
     squared = np.tile((1 + x[ring]) / 2, len(centres))
     tree, parts = KDTree(singular), (np.arange(DIVIDED) / DIVIDED for _ in range(2))
-    steps = np.column_stack([each.ravel() for each in np.meshgrid(*parts)])
-    found = []
+    steps = np.column_stack([grid.ravel() for grid in np.meshgrid(*parts)])
+    places = []
     for time in range(TIMES + 1):
         angle = part[:, 2] + part[:, 3] / 2
         offset = (radius[row] * np.sqrt(squared) * (np.cos(angle), np.sin(angle))).T
@@ -348,10 +348,10 @@ def _disc_points(centres: Array, radius: Array, singular: Sequence[Place]) -> tu
         if time < TIMES:
             reach = CLOSE * 2 * radius[row] / DIVIDED**time
             close = tree.query(centres[row] + offset, distance_upper_bound=reach.max(initial=0))[0] <= reach
-        found.append((row[~close], offset[~close], (part[:, 1] * part[:, 3] / (2 * np.pi))[~close]))
+        places.append((row[~close], offset[~close], (part[:, 1] * part[:, 3] / (2 * np.pi))[~close]))
         row, part = np.repeat(row[close], len(steps)), np.repeat(part[close], len(steps), axis=0)
         part[:, [0, 2]] += np.tile(steps, (int(close.sum()), 1)) * part[:, [1, 3]]
         part[:, [1, 3]] /= DIVIDED
         squared = part[:, 0] + part[:, 1] / 2
-    rows, offsets, weights = (np.concatenate(each) for each in zip(*found, strict=True))
+    rows, offsets, weights = (np.concatenate(grid) for grid in zip(*places, strict=True))
     return rows, offsets, weights

@@ -39,7 +39,7 @@ def edge_sides(problem: Problem) -> EdgeSides:
     element, side = np.nonzero(is_middle[elements[:, SIDES[:, 2]]])
     local = SIDES[side]
     places, weights = gauss_line(3)
-    N, dN = (each[:, [0, 2, 1]] for each in lagrange(places))
+    N, dN = (values[:, [0, 2, 1]] for values in lagrange(places))
     tangent = np.einsum("pa,bax->bpx", dN, problem.mesh.nodes[elements[element[:, None], local]])
     # the element lies to the left of its sides
     normal = np.stack([tangent[..., 1], -tangent[..., 0]], axis=-1)

@@ -44,8 +44,8 @@ class MirroredMesh:
 
     def nodal(self, name: str, field: Array) -> Array:
         """Return a nodal field of the full mesh (n,) from that of the meshed part."""
-        found = _mirror(name, field[self.node], self.odd)
-        return found * self.shares if name in SHARED else found
+        mirrored = _mirror(name, field[self.node], self.odd)
+        return mirrored * self.shares if name in SHARED else mirrored
 
     def by_element(self, name: str, field: Array) -> Array:
         """Return a field of elements of the full mesh (m,) from that of the meshed part."""
@@ -146,8 +146,8 @@ def _lines_of_jumps(model: Model) -> Iterator[Segment]:
     for _, shape in model.acting:
         if isinstance(shape, LineForce):
             yield from lines_without_width(model.plate, shape, model.plates)
-    for each in (*model.supports, *model.members):
-        yield from each.edges
+    for member in (*model.supports, *model.members):
+        yield from member.edges
 
 
 def _borders_of_springs(model: Model) -> Iterator[Segment]:
@@ -190,8 +190,8 @@ def split_by_section(problem: Problem, creases: Integers, depth: Integers | None
         key = key + n * (problem.plate.section.max() + 1) * split_at(elements, creases, n)
     if depth is not None and depth.any():
         key = key + n * (key.max() // n + 1) * depth[:, None]
-    keys, own = unique_integers(key)
-    return Mesh(problem.mesh.nodes[keys % n], own), keys % n
+    keys, number = unique_integers(key)
+    return Mesh(problem.mesh.nodes[keys % n], number), keys % n
 
 
 def _means(mesh: Mesh) -> Array:
@@ -246,8 +246,8 @@ def split_at(elements: Integers, creases: Integers, n: int) -> Integers:
     least, before = np.arange(count), np.full(count, -1)
     while (least != before).any():  # at most as often as elements meet at a node
         before = least.copy()
-        for some, others in (links, links[::-1]):
-            np.minimum.at(least, some, before[others])
+        for ends, others in (links, links[::-1]):
+            np.minimum.at(least, ends, before[others])
     result = np.zeros(elements.shape, dtype=np.int64)
     result[meets] = unique_integers(least)[1]
     return result

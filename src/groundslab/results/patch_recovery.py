@@ -86,34 +86,34 @@ def make_patches(nodes: Array, elements: Integers, points: Array) -> Patches:
     on_edge[hanging[:, 2]] = uneven[hanging[:, 1:]] = True
     inside = ~on_edge[vertices]
     V = len(inside)
-    known, center, L = np.zeros(V, dtype=bool), np.zeros((V, 2)), np.ones((V, 3))
+    is_corner, center, L = np.zeros(V, dtype=bool), np.zeros((V, 2)), np.ones((V, 3))
     meeting = np.bincount(corner.ravel(), minlength=V)
     order = np.argsort(corner.ravel(), kind="stable") // 4
     first = np.cumsum(meeting) - meeting
     oblong = _rectangles(nodes[elements[:, :4]])
-    found = []
+    patches = []
     for count in np.flatnonzero(np.bincount(meeting[inside])):
         same = np.flatnonzero(inside & (meeting == count))
         patch = order[first[same][:, None] + np.arange(count)]
         rows_and_columns = oblong[patch].all(axis=1)
         for terms, fit in ((len(_POWERS), rows_and_columns), (_QUADRATIC, np.ones_like(rows_and_columns))):
-            left = fit & ~known[same] & (4 * count >= terms)
+            left = fit & ~is_corner[same] & (4 * count >= terms)
             where, which = same[left], patch[left]
             for start in range(0, len(where), _CHUNK):
                 v, own = where[start : start + _CHUNK], which[start : start + _CHUNK]
                 x = points[own].reshape(len(v), -1, 2)
                 sound, center[v], L[v], A, inverse = _least_squares(x, terms)
-                known[v] = sound
+                is_corner[v] = sound
                 if sound.any():
-                    found.append(_Alike(v[sound], own[sound], A[sound], inverse[sound]))
+                    patches.append(_Alike(v[sound], own[sound], A[sound], inverse[sound]))
     return Patches(
         nodes,
         elements,
         corner,
         center,
         L,
-        tuple(found),
-        *_sources(nodes[vertices], corner, known, known & ~uneven[vertices]),
+        tuple(patches),
+        *_sources(nodes[vertices], corner, is_corner, is_corner & ~uneven[vertices]),
     )
 
 
@@ -141,9 +141,9 @@ def recover_nodes(p: Patches, values: Array, sizes: Sequence[Array]) -> Array:
         for c, near in enumerate(_NEAR):
             vertex = p.corner[part, c]
             count = p.first[vertex + 1] - p.first[vertex]
-            own = np.flatnonzero(count == 0)
-            if len(own):
-                at_nodes[np.ix_(own, near)] += _SHARE[:, None] * (extrapolate[near] @ own_values[own])
+            alone = np.flatnonzero(count == 0)
+            if len(alone):
+                at_nodes[np.ix_(alone, near)] += _SHARE[:, None] * (extrapolate[near] @ own_values[alone])
             # most corners have one source; some at corners of the outline have two or more, taken in turn
             for turn in range(count.max(initial=0)):
                 those = np.flatnonzero(count > turn)
@@ -197,18 +197,18 @@ def _least_squares(x: Array, terms: int) -> tuple[Flags, Array, Array, Array, Ar
     transposed = np.swapaxes(A, 1, 2)
     normal = transposed @ A
     eigenvalues = np.linalg.eigvalsh(normal)
-    known = eigenvalues[:, 0] > _DEFINITE * eigenvalues[:, -1]
-    normal[~known] = np.eye(terms)
+    definite = eigenvalues[:, 0] > _DEFINITE * eigenvalues[:, -1]
+    normal[~definite] = np.eye(terms)
     inverse = np.linalg.solve(normal, transposed).astype(np.float64, copy=False)
-    return known, center, L, A, inverse
+    return definite, center, L, A, inverse
 
 
 def _terms(x: Array, center: Array, L: Array) -> Array:
     """Return the terms (P, p, 9) at points x (P, p, 2) of patches with center (P, 2) and L (P, 3)."""
     X = (x[..., 0] - center[:, :1]) / L[:, :1]
     Y = (x[..., 1] - center[:, 1:] - L[:, 1:2] * X) / L[:, 2:]
-    one = np.ones_like(X)
-    powers = (one, X, X * X), (one, Y, Y * Y)
+    ones = np.ones_like(X)
+    powers = (ones, X, X * X), (ones, Y, Y * Y)
     return np.stack([powers[0][a] * powers[1][b] for a, b in _POWERS], axis=-1)
 
 
@@ -219,8 +219,8 @@ def _sources(places: Array, corner: Integers, known: Flags, even: Flags) -> tupl
     first such as come from elements alike in size. One much farther away than another, over larger elements, is none.
     """
     V = len(known)
-    own = np.flatnonzero(known)
-    pairs, served = [own * V + own], known.copy()
+    with_patch = np.flatnonzero(known)
+    pairs, served = [with_patch * V + with_patch], known.copy()
     for step, others in (((1, 3), even), ((2,), even), ((1, 3), known), ((2,), known)):
         one = np.concatenate([corner.ravel() for _ in step])
         other = np.concatenate([np.roll(corner, -s, axis=1).ravel() for s in step])

@@ -107,7 +107,7 @@ class PlateResult:
             Their nodes and elements, numbered anew, with the same fields.
         """
         nodes, numbers = np.unique(self.elements[elements], return_inverse=True)
-        nodal = {each.name: getattr(self, each.name)[nodes] for each in fields(self) if each.name != "elements"}
+        nodal = {field.name: getattr(self, field.name)[nodes] for field in fields(self) if field.name != "elements"}
         return PlateResult(elements=numbers.reshape(-1, 9), **nodal)
 
     def point_data(self) -> dict[str, Array]:
@@ -227,8 +227,8 @@ class PlateResult:
         300 mm
         """
         points = _points(x, y)
-        found: Integers = locate_within(Mesh(self.nodes, self.elements), points, "the plate")[0]
-        return int(found[0]) if points.ndim == 1 else found.reshape(points.shape[:-1])
+        elements: Integers = locate_within(Mesh(self.nodes, self.elements), points, "the plate")[0]
+        return int(elements[0]) if points.ndim == 1 else elements.reshape(points.shape[:-1])
 
 
 @dataclass(frozen=True, slots=True)
@@ -394,8 +394,8 @@ class GroundResult:
 def _values_at(mesh: Mesh, values: Array, x: ArrayLike, y: ArrayLike, region: str) -> float | Array:
     """Return nodal values (n,) at points: a float for two numbers, else an array of their shape."""
     points = _points(x, y)
-    found = interpolate(mesh, values, locate_within(mesh, points, region))
-    return float(found[0]) if points.ndim == 1 else found.reshape(points.shape[:-1])
+    values_there = interpolate(mesh, values, locate_within(mesh, points, region))
+    return float(values_there[0]) if points.ndim == 1 else values_there.reshape(points.shape[:-1])
 
 
 def _points(*coordinates: ArrayLike) -> Array:
@@ -403,9 +403,10 @@ def _points(*coordinates: ArrayLike) -> Array:
     try:
         points: Array = np.stack(np.broadcast_arrays(*(np.asarray(x, dtype=float) for x in coordinates)), axis=-1)
     except (TypeError, ValueError):
-        found = " and ".join(
-            describe(each) if np.ndim(each) == 0 else f"shape {np.shape(each)}" for each in coordinates
+        shapes = " and ".join(
+            describe(coordinate) if np.ndim(coordinate) == 0 else f"shape {np.shape(coordinate)}"
+            for coordinate in coordinates
         )
         names = ", ".join("xyz"[: len(coordinates)])
-        raise InputError([Issue(names, found, "numbers in meters, in shapes that broadcast")]) from None
+        raise InputError([Issue(names, shapes, "numbers in meters, in shapes that broadcast")]) from None
     return points

@@ -461,4 +461,4 @@ class Certificate:
             The figures by name.
         """
         others = ("load", "reaction", "ground_load", "margin_effect", "section_law", "joint_mismatch")
-        return {each.name: getattr(self, each.name) for each in fields(self) if each.name not in others}
+        return {field.name: getattr(self, field.name) for field in fields(self) if field.name not in others}

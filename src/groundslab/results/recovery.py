@@ -159,10 +159,10 @@ def support_results(model: Model, solution: Solution) -> tuple[SupportResult, ..
     rest = resistance(solution).all - problem.load
     w = plate_settlement(solution.system, solution.U)
     force = b.law.sign * solution.contact.force
-    found = []
+    supports = []
     for number, support in enumerate(model.supports):
-        own = np.flatnonzero((b.support == number) & (b.field == W))
-        nodes = b.node[own]
+        bearings = np.flatnonzero((b.support == number) & (b.field == W))
+        nodes = b.node[bearings]
         moments = np.zeros((len(nodes), 2))
         for axis in (0, 1):
             if support.rotation == "fixed":
@@ -170,39 +170,39 @@ def support_results(model: Model, solution: Solution) -> tuple[SupportResult, ..
             turned = np.flatnonzero((b.support == number) & (b.field == BETA_X + axis))
             if len(turned) and len(nodes):
                 moments[:, axis] += force[turned]
-        found.append(
+        supports.append(
             SupportResult(
                 name=support.name or Message("support {number}", number=number + 1),
                 nodes=problem.mesh.nodes[nodes],
-                length=b.length[own],
+                length=b.length[bearings],
                 settlement=w[nodes],
-                force=-force[own],
+                force=-force[bearings],
                 moment_x=moments[:, 0],
                 moment_y=moments[:, 1],
             )
         )
-    return tuple(found)
+    return tuple(supports)
 
 
 def joint_results(model: Model, solution: Solution) -> tuple[JointResult, ...]:
     """Return what each joint carries from its first plate to its second one."""
-    problem, found = solution.system.problem, list[JointResult]()
+    problem, joints = solution.system.problem, list[JointResult]()
     if not model.joints:
         return ()
     force, w = resistance(solution).joints, plate_settlement(solution.system, solution.U)
     for number, joint in enumerate(model.joints):
-        own = problem.links.joint == number
-        first, second = problem.links.nodes[own].T
-        found.append(
+        of_joint = problem.links.joint == number
+        first, second = problem.links.nodes[of_joint].T
+        joints.append(
             JointResult(
                 name=joint.title,
                 nodes=problem.mesh.nodes[first],
-                length=problem.links.length[own],
+                length=problem.links.length[of_joint],
                 step=w[first] - w[second],
-                force=force[own],
+                force=force[of_joint],
             )
         )
-    return tuple(found)
+    return tuple(joints)
 
 
 def _element_fields(problem: Problem, at_points: Array) -> dict[str, Array]:

@@ -317,7 +317,7 @@ class Results(Mapping[str, CombinationResult]):
     @property
     def provisional(self) -> bool:
         """Whether the mesh was still to be refined for the accuracy."""
-        return any(found.provisional for found in self.results.values())
+        return any(result.provisional for result in self.results.values())
 
     @property
     def solved_model(self) -> Model:
@@ -325,14 +325,14 @@ class Results(Mapping[str, CombinationResult]):
         from groundslab.model.combinations import as_solved
 
         uncertified = [error.results for error in self.refused.values() if isinstance(error, NotCertified)]
-        known = [*self.results.values(), *uncertified]
-        return known[0].solved_model if known else as_solved(self.model)
+        results = [*self.results.values(), *uncertified]
+        return results[0].solved_model if results else as_solved(self.model)
 
     @property
     def only(self) -> CombinationResult:
         """The results of the only combination; InputError if there are several."""
         if len(self.combinations) != 1:
-            names = listed([quote(each.name) for each in self.combinations])
+            names = listed([quote(combination.name) for combination in self.combinations])
             hint = f"choose one by its name, such as results[{quote(self.combinations[0].name)}]"
             raise InputError([Issue("results", f"combinations {names}", "a model with one combination", hint)])
         return self[self.combinations[0].name]
@@ -356,8 +356,10 @@ class Results(Mapping[str, CombinationResult]):
         what = "Provisional results" if self.provisional else "Results"
         head = f"{what} of {quote(self.model.title)}: {count} combination{'' if count == 1 else 's'}"
         lines = [
-            repr(self.results[each.name]) if each.name in self.results else f"{each.name}: {self._reason(each.name)}"
-            for each in self.combinations[:MOST_LISTED]
+            repr(self.results[combination.name])
+            if combination.name in self.results
+            else f"{combination.name}: {self._reason(combination.name)}"
+            for combination in self.combinations[:MOST_LISTED]
         ]
         more = [f"... {count - MOST_LISTED} more"] if count > MOST_LISTED else []
         return "\n  ".join([head, *lines, *more])
@@ -366,10 +368,12 @@ class Results(Mapping[str, CombinationResult]):
         """Return the first figures of each combination as a table for notebooks."""
         heads = ("combination", "limit state", "largest settlement", "area in contact [%]", "certificate")
         rows = [f"<th>{'</th><th>'.join(heads)}</th>"]
-        for each in self.combinations:
-            found = self.results.get(each.name)
-            figures = ("", "", self._reason(each.name)) if found is None else _figures(found)
-            rows.append("".join(f"<td>{escape(text)}</td>" for text in (each.name, each.limit_state, *figures)))
+        for combination in self.combinations:
+            result = self.results.get(combination.name)
+            figures = ("", "", self._reason(combination.name)) if result is None else _figures(result)
+            rows.append(
+                "".join(f"<td>{escape(text)}</td>" for text in (combination.name, combination.limit_state, *figures))
+            )
         table = "".join(f"<tr>{row}</tr>" for row in rows)
         return f"<table><caption>{escape(self.model.title)}</caption>{table}</table>"
 

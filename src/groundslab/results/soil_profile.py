@@ -87,8 +87,8 @@ def profile_depths(model: Model) -> Array:
         deepest = max(1.25 * deepest, WIDTHS * min(model.plate.sides))
     deepest = min(deepest, LENGTHS * max(model.plate.sides))
     depths = deepest * np.linspace(0.0, 1.0, DEPTHS + 1) ** 2
-    found: Array = np.unique(np.concatenate([depths, bottoms[bottoms <= deepest]]))
-    return found
+    depths_listed: Array = np.unique(np.concatenate([depths, bottoms[bottoms <= deepest]]))
+    return depths_listed
 
 
 def profiles_of(results: CombinationResult) -> tuple[Profile, ...]:
@@ -100,20 +100,20 @@ def profiles_of(results: CombinationResult) -> tuple[Profile, ...]:
     model, constants = results.model, results.constants
     if model.lasts(results.limit_state):
         model = model.with_lasting_ground()
-    columns, soils = list_columns(model), [each for each in grounds_of(model) if isinstance(each, Soil)]
+    columns, soils = list_columns(model), [ground for ground in grounds_of(model) if isinstance(ground, Soil)]
     if constants.decay is None or len(soils) < len(columns):
-        known = len(columns) == 1
-        k0, k1 = (constants.k0, constants.k1) if known else ((), ())
+        is_one = len(columns) == 1
+        k0, k1 = (constants.k0, constants.k1) if is_one else ((), ())
         none = np.zeros(0)
         return tuple(Profile(name, strata_of(layers), None, k0, k1, none, none) for name, layers in columns)
-    found = []
+    profiles = []
     for (name, layers), soil in zip(columns, soils, strict=True):
-        own = soil.gamma_of(constants.decay**2) if soil.gamma is None else soil.gamma
-        k0, k1 = (tuple(map(float, values)) for values in soil.layer_parameters(own))
-        mode = soil.mode(own)
+        gamma = soil.gamma_of(constants.decay**2) if soil.gamma is None else soil.gamma
+        k0, k1 = (tuple(map(float, values)) for values in soil.layer_parameters(gamma))
+        mode = soil.mode(gamma)
         z, psi = (np.zeros(0), np.zeros(0)) if mode is None else (mode.z, mode.psi)
-        found.append(Profile(name, strata_of(layers), own, k0, k1, z, psi))
-    return tuple(found)
+        profiles.append(Profile(name, strata_of(layers), gamma, k0, k1, z, psi))
+    return tuple(profiles)
 
 
 def _layers(ground: AnyGround) -> tuple[SoilLayer, ...]:
@@ -144,15 +144,15 @@ def crossed_borders(results: CombinationResult) -> tuple[Coverage, ...]:
         return ()
     xy = results.ground.nodes[results.ground.elements]
     by_zone = shares(xy, model.zone_rings, mesh_plan.followed_zones, max(model.sides))
-    found = [_coverage("soil_zones", k, part, part, areas(xy)) for k, part in enumerate(by_zone.T[1:])]
+    coverages = [_coverage("soil_zones", k, part, part, areas(xy)) for k, part in enumerate(by_zone.T[1:])]
     xy = results.plate.nodes[results.plate.elements]
     k1 = results.constants.k1
     voids = share_voids(model, xy, mesh_plan.followed_voids, steps=len(k1) == 1 and k1[0] == 0)
-    found += [
+    coverages += [
         _coverage("contact.voids", k, drawn, meshed, areas(xy))
         for k, (drawn, meshed) in enumerate(zip(voids.drawn.T, _mesh_voids(voids).T, strict=True))
     ]
-    return tuple(each for each in found if each.crossed > 0)
+    return tuple(coverage for coverage in coverages if coverage.crossed > 0)
 
 
 def _mesh_voids(voids: VoidShares) -> Array:

@@ -103,9 +103,9 @@ class GroundComparison:
 
     def __getitem__(self, name: str) -> ComparedGround:
         """Return the slab on a kind of ground; KeyError if there is none."""
-        for each in self.grounds:
-            if each.name == name:
-                return each
+        for ground in self.grounds:
+            if ground.name == name:
+                return ground
         raise KeyError(name)
 
     def difference(self, name: str, figure: str) -> float | None:
@@ -124,11 +124,11 @@ class GroundComparison:
             The difference; None where the figure is next to nothing on the continuum, less than a twentieth of the
             largest of its unit.
         """
-        known, unit = self.grounds[0].figures, FIGURES[figure].unit
-        largest = max(abs(value) for other, value in known.items() if FIGURES[other].unit == unit)
-        if abs(known[figure]) <= NOTHING * largest:
+        reference, unit = self.grounds[0].figures, FIGURES[figure].unit
+        largest = max(abs(value) for other, value in reference.items() if FIGURES[other].unit == unit)
+        if abs(reference[figure]) <= NOTHING * largest:
             return None
-        return (self[name].figures[figure] - known[figure]) / abs(known[figure])
+        return (self[name].figures[figure] - reference[figure]) / abs(reference[figure])
 
 
 def compare_grounds(
@@ -188,8 +188,8 @@ def compare_grounds(
         notes.append(Message("FOUNDATION FAILS: no equilibrium on the continuum in {listed}.", listed=names))
     if names := quoted(variants.base.unsolved, len(variants.base.unsolved)):
         notes.append(Message("Left aside, without a certified result on the continuum: {names}.", names=names))
-    found = _compare(model, solved, (*_notes(base, continuum.limit_state), *notes, *soil.notes))
-    return replace(found, without_equilibrium=lost)
+    comparison = _compare(model, solved, (*_notes(base, continuum.limit_state), *notes, *soil.notes))
+    return replace(comparison, without_equilibrium=lost)
 
 
 def _solve_from_soil(
@@ -234,11 +234,11 @@ def _with_only(model: Model, combination: Combination) -> Model:
 
 def _find_combination(model: Model, name: str) -> Combination:
     """Return the combination of a name; raises InputError if there is none."""
-    known = {each.name: each for each in list_combinations(model)}
-    if name not in known:
-        names = list(known)
+    by_name = {combination.name: combination for combination in list_combinations(model)}
+    if name not in by_name:
+        names = list(by_name)
         raise InputError([Issue("combination", quote(name), one_of(names), suggestion(name, names))])
-    return known[name]
+    return by_name[name]
 
 
 def _deepest(results: Results) -> CombinationResult:
@@ -283,10 +283,10 @@ def _constants(results: CombinationResult) -> dict[str, float]:
         return {"k": ground.k} if ground.k is not None else {}
     if isinstance(ground, Pasternak):
         return {"k0": ground.k0, "k1": ground.k1}
-    found, softening = results.constants, _softening(results.model, results.limit_state)
-    if len(found.k0) != 1 or found.gamma is None:
+    constants, softening = results.constants, _softening(results.model, results.limit_state)
+    if len(constants.k0) != 1 or constants.gamma is None:
         return {}
-    return {"k0": found.k0[0] / softening, "k1": found.k1[0] / softening, "gamma": found.gamma}
+    return {"k0": constants.k0[0] / softening, "k1": constants.k1[0] / softening, "gamma": constants.gamma}
 
 
 def _softening(model: Model, limit_state: str) -> float:

@@ -99,27 +99,27 @@ def sample_within(mesh: Mesh, values: Array, where: MeshLocations) -> Array:
 
 def rms_differences(plate: PlateResult, reference: PlateResult, samples: Samples) -> dict[str, float]:
     """Return the root of the mean square of the difference of each field, over the reference's largest value."""
-    found, meshes = {}, [Mesh(each.nodes, each.elements) for each in (plate, reference)]
+    differences, meshes = {}, [Mesh(side.nodes, side.elements) for side in (plate, reference)]
     located = [locate(mesh, samples.places) for mesh in meshes]
     for field in COMPARED_FIELDS:
-        fields = (getattr(each, field) for each in (plate, reference))
-        own, wanted = map(sample_within, meshes, fields, located)
-        difference = own - wanted
+        fields = (getattr(side, field) for side in (plate, reference))
+        sampled, wanted = map(sample_within, meshes, fields, located)
+        difference = sampled - wanted
         largest = float(np.abs(getattr(reference, field)).max())
-        found[field] = float(np.linalg.norm(np.nan_to_num(difference) * samples.weights)) / (largest or 1.0)
-    return found
+        differences[field] = float(np.linalg.norm(np.nan_to_num(difference) * samples.weights)) / (largest or 1.0)
+    return differences
 
 
 def axis_places(plate: PlateResult, place: Place) -> dict[str, Array]:
     """Return places (p, 2) [m] along x and along y through one place, from edge to edge of the plate."""
     low, high = plate.nodes.min(axis=0), plate.nodes.max(axis=0)
     margin = INSIDE * (high - low)
-    found = {}
+    places = {}
     for axis, name in enumerate("xy"):
         points = np.tile(np.array(place), (CURVE_SAMPLES, 1))
         points[:, axis] = np.linspace(low[axis] + margin[axis], high[axis] - margin[axis], CURVE_SAMPLES)
-        found[name] = points
-    return found
+        places[name] = points
+    return places
 
 
 def curve(plate: PlateResult, field: str, places: Array) -> tuple[float | None, ...]:

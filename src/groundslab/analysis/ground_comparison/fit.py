@@ -41,11 +41,13 @@ def fit(kind: str, model: Model, start: Sequence[float], samples: Samples, settl
     returns whether the constants can be told apart.
     """
     springs, names = FITTED[kind]
-    found, determined = springs(**dict(zip(names, start, strict=False))), True
+    ground, determined = springs(**dict(zip(names, start, strict=False))), True
     for _ in range(ROUNDS[kind]):
-        ratios, determined = _best_ratios(model, found, names, samples, settlement)
-        found = found.replace(**{name: getattr(found, name) * ratio for name, ratio in zip(names, ratios, strict=True)})
-    return found, determined
+        ratios, determined = _best_ratios(model, ground, names, samples, settlement)
+        ground = ground.replace(
+            **{name: getattr(ground, name) * ratio for name, ratio in zip(names, ratios, strict=True)}
+        )
+    return ground, determined
 
 
 def _best_ratios(
@@ -63,26 +65,26 @@ def _best_ratios(
         factors = {f"ground.{name}": _constant(ratio) for name, ratio in zip(names, np.exp(x - 1), strict=True)}
         mesh, settled = variants.solve_settlement(variants.base.model, factors)
         where = where or locate(mesh, samples.places)
-        found = sample_within(mesh, settled, where)
+        fitted = sample_within(mesh, settled, where)
         # a place that a mesh with other chords of a curved edge does not reach counts nothing
-        difference: Array = np.nan_to_num((found - settlement) * weights)
+        difference: Array = np.nan_to_num((fitted - settlement) * weights)
         return difference
 
     # unknowns are 1 + log(ratio), whose differences are relative to them
     start, reach = np.ones(len(names)), np.log(REACH)
-    found = least_squares(
+    fitted = least_squares(
         residuals, start, bounds=(start - reach, start + reach), diff_step=DIFFERENCE,
         xtol=TOLERANCE, ftol=LEAST_GAIN, gtol=None, max_nfev=MOST_STEPS,
     )  # fmt: skip
-    least = np.linalg.svd(found.jac, compute_uv=False).min()
-    return np.exp(found.x - 1).tolist(), bool(least > LEAST_EFFECT)
+    least = np.linalg.svd(fitted.jac, compute_uv=False).min()
+    return np.exp(fitted.x - 1).tolist(), bool(least > LEAST_EFFECT)
 
 
 def _prepare(model: Model, ground: Springs) -> Model:
     """Return a model on springs, whose mesh is not adaptive: settlements need no finer one than the first."""
     changes: dict[str, object] = {"symmetry": "off"}
     if model.mesh.adaptive:
-        changes["size"] = max(usual_size(each.sides) for each in model.every_plate)
+        changes["size"] = max(usual_size(plate.sides) for plate in model.every_plate)
     return on_ground(model, ground).model_copy(update={"mesh": model.mesh.model_copy(update=changes)})
 
 

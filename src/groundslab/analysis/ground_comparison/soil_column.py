@@ -70,7 +70,7 @@ def find_soil(model: Model) -> SoilColumn:
     ground, notes = model.ground, list[str]()
     layers: Sequence[Any] = getattr(ground, "layers", ())
     half_space = ground.half_space if isinstance(ground, Continuum) else None
-    base = BASE_DEPTH * max(min(each.sides) for each in model.every_plate)
+    base = BASE_DEPTH * max(min(plate.sides) for plate in model.every_plate)
     if model.boreholes:
         hole, name = _middle_borehole(model)
         layers = [layer for layer in hole.layers if layer.thickness]
@@ -81,9 +81,9 @@ def find_soil(model: Model) -> SoilColumn:
             )
         )
     if not all(isinstance(layer, SoilLayer) for layer in layers) or not (layers or half_space):
-        found = Message("{name} without layers of soil", name=quote(ground.kind))
+        no_layers = Message("{name} without layers of soil", name=quote(ground.kind))
         hint = 'such as kind = "continuum"; springs alone do not define a continuum'
-        raise InputError([Issue("ground", found, "layers given by E, nu and thickness", hint)])
+        raise InputError([Issue("ground", no_layers, "layers given by E, nu and thickness", hint)])
     if half_space is not None:
         notes.append(
             Message(
@@ -110,13 +110,13 @@ def _middle_borehole(model: Model) -> tuple[Borehole, str]:
 
 def on_continuum(model: Model, soil: SoilColumn) -> Model:
     """Return a model on the continuum of a column of soil; raises InputError if it cannot be one."""
-    given = {"layers": soil.layers, "half_space": soil.half_space, "cell": getattr(soil.given, "cell", None)}
+    keys = {"layers": soil.layers, "half_space": soil.half_space, "cell": getattr(soil.given, "cell", None)}
     # described by keys, so that issues name them as the case does
-    ground = {"kind": "continuum"} | {name: value for name, value in given.items() if value is not None}
+    ground = {"kind": "continuum"} | {name: value for name, value in keys.items() if value is not None}
     return model.replace(ground=ground, beyond=BEYOND, boreholes=())
 
 
 def on_ground(model: Model, ground: AnyGround) -> Model:
     """Return a model on another ground, without the loads beside the plate where these have no effect."""
-    loads = model.loads if any(carry_shear(ground)) else tuple(each for each in model.loads if not presses_ground(each))
+    loads = model.loads if any(carry_shear(ground)) else tuple(load for load in model.loads if not presses_ground(load))
     return model.model_copy(update={"ground": ground, "beyond": BEYOND, "loads": loads})

@@ -87,7 +87,7 @@ def run(tasks: Mapping[Task, Combination], setting: Setting, report: Report) -> 
     if setting.draft:
         grounds = {lasting: [finest.draft()] for lasting, (finest, *_) in grounds.items()}
     lanes = _distribute(tasks, _count_lanes(tasks, grounds, solver))
-    jobs = {task: partial(_solve, task, each, setting.model, name) for task, each in tasks.items()}
+    jobs = {task: partial(_solve, task, combinations, setting.model, name) for task, combinations in tasks.items()}
     if len(lanes) == 1:
         for task in lanes[0]:
             yield jobs[task](grounds, report)
@@ -111,8 +111,8 @@ def solve_settlement(combination: Combination, setting: Setting) -> tuple[Mesh, 
     factorization.warm_up(solver)
     task = task_of(setting.model, combination)
     finest, *_ = _prepare_grounds([task], setting, solver)[task.lasting]
-    found = solve_nested(finest, combination.name, np.array(task.factors), lambda _: None)
-    solution = found[finest.finest][-1]
+    solutions = solve_nested(finest, combination.name, np.array(task.factors), lambda _: None)
+    solution = solutions[finest.finest][-1]
     return settlement_of(solution, finest.result_mesh(solution, finest.finest))
 
 
@@ -121,10 +121,10 @@ def _distribute(tasks: Iterable[Task], lanes: int) -> list[list[Task]]:
     alike: dict[tuple[bool, bytes], list[Task]] = {}
     for task in tasks:
         alike.setdefault((task.lasting, direction(np.array(task.factors))), []).append(task)
-    found: list[list[Task]] = [[] for _ in range(lanes)]
+    lanes_of_tasks: list[list[Task]] = [[] for _ in range(lanes)]
     for group in alike.values():
-        min(found, key=len).extend(group)
-    return [lane for lane in found if lane] or [[]]
+        min(lanes_of_tasks, key=len).extend(group)
+    return [lane for lane in lanes_of_tasks if lane] or [[]]
 
 
 def _solve(

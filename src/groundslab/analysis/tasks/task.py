@@ -82,12 +82,12 @@ def solve_task(
         on_step(step)
 
     try:
-        found = solve_nested(finest, combination.name, factors, report)
+        solutions = solve_nested(finest, combination.name, factors, report)
         effect = None
         if margins and ends_in_tails(model):
-            effect = margin_effect(margins, combination.name, factors, found)
-        *earlier, solution = found[finest.finest]
-        coarser = next(reversed(found.get(finest.finest + 1, [])), None)
+            effect = margin_effect(margins, combination.name, factors, solutions)
+        *earlier, solution = solutions[finest.finest]
+        coarser = next(reversed(solutions.get(finest.finest + 1, [])), None)
         if task.cracks:
             solution, coarser = solve_cracked_meshes(finest, solution, coarser, report)
         solved = _Solved(solution, coarser, earlier, effect, tuple(steps), solver)

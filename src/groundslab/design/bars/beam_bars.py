@@ -106,14 +106,14 @@ class _Section:
 @made_once
 def beam_needs(combined: Results, steel: Reinforcement) -> list[BeamNeed]:
     """Return what each beam of concrete needs, of all ultimate combinations the most."""
-    found: list[BeamNeed] = []
+    governing: list[BeamNeed] = []
     for number, beam in enumerate(combined.model.beams):
         if isinstance(beam.section, GivenSection):
             continue
         needs = [need for result in ultimate_results(combined) for need in _needs(result, number, beam, steel)]
-        found += [max(own, key=lambda need: need.area) for what in WHAT
-                  if (own := [need for need in needs if need.what == what])]  # fmt: skip
-    return found
+        governing += [max(of_kind, key=lambda need: need.area) for what in WHAT
+                  if (of_kind := [need for need in needs if need.what == what])]  # fmt: skip
+    return governing
 
 
 def error_of_need(combined: Results, steel: Reinforcement, need: BeamNeed) -> float | None:
@@ -167,55 +167,55 @@ def _across(own: BeamResult, distance: float) -> tuple[Array, Array]:
 
 def _slope(values: Array, way: Array) -> Array:
     """Return the derivative of values (k,) or (k, 2) along k places."""
-    found: Array = np.gradient(values, way, axis=0, edge_order=2 if len(way) > 2 else 1)
-    return found
+    slope: Array = np.gradient(values, way, axis=0, edge_order=2 if len(way) > 2 else 1)
+    return slope
 
 
 def _needs(results: CombinationResult, number: int, beam: Beam, steel: Reinforcement) -> Iterator[BeamNeed]:
     """Yield what a beam needs at both faces and of links in a combination, each at the place of the most."""
-    own = section_forces(results, beam, results.beams[number])
-    section = _section(results, beam, own, steel)
+    forces = section_forces(results, beam, results.beams[number])
+    section = _section(results, beam, forces, steel)
     code, state = code_of(steel), results.limit_state
     assert code.beams is not None
     required = code.bending(steel, state).required
-    M = own.moment
+    M = forces.moment
 
     def need(what: str, area: Array, least: Array, force: Array, ways: Array) -> tuple[BeamNeed, int]:
         wanted = np.maximum(area, least)
         most = int(np.argmax(wanted + TIE * np.abs(force)))
         way = float(ways[most])
-        return BeamNeed(own.name, what, float(wanted[most]), float(least[most]), float(force[most]), way,
-                        _place(own, way), results.combination), most  # fmt: skip
+        return BeamNeed(forces.name, what, float(wanted[most]), float(least[most]), float(force[most]), way,
+                        _place(forces, way), results.combination), most  # fmt: skip
 
     for face, (what, sign) in enumerate((("bottom", 1.0), ("top", -1.0))):
         m = np.maximum(sign * M, 0.0)
         area, width, alone = _bars(required, m, section, face)
         zone = section.tension(face)
         least = code.beams.minimum(steel, state, zone)
-        most, place = need(what, area, np.where(m > 0, least, 0.0), np.where(m > 0, M, 0.0), own.way)
+        most, place = need(what, area, np.where(m > 0, least, 0.0), np.where(m > 0, M, 0.0), forces.way)
         b, h = float(width[place]), float(section.h[place])
         per = BarsNeeded(most.force / b, h, h - float(section.d[face][place]), most.area / b, most.least / b)
         followed = per if m[place] > 0 and alone[place] else None
         yield replace(most, bars=followed, width=b, zone=zone.at(place))
-    part = own.between_ends(float(np.minimum(*section.d).min()))
+    part = forces.between_ends(float(np.minimum(*section.d).min()))
     section = _section(results, beam, part, steel)
-    faces = faces_on(results.model, beam, float(own.way[-1]))
-    V, at_faces = shear_forces(own, part, faces, float(np.minimum(*section.d).max()))
+    faces = faces_on(results.model, beam, float(forces.way[-1]))
+    V, at_faces = shear_forces(forces, part, faces, float(np.minimum(*section.d).max()))
     webs = section.webs(part, V, released=beam.torsion == "released")
-    found = code.beams.web(steel, state, webs)
+    web = code.beams.web(steel, state, webs)
     # the shear force at a support must not exceed V_Rd,max (6.2.1(8))
     strained = webs._replace(V=at_faces) if code.beams.struts_at_faces else webs
     used = code.beams.web(steel, state, strained).used
     for what, area, least, carried in (
-        ("links", found.links, found.least_links, webs),
-        ("torsion", found.along, found.least_along, webs),
+        ("links", web.links, web.least_links, webs),
+        ("torsion", web.along, web.least_along, webs),
         ("struts", used, np.zeros(len(used)), strained),
     ):
         most, place = need(what, area, least, np.copysign(carried.V, part.shear), part.way)
         course = (part.way, used) if what == "struts" else None
-        yield replace(most, web=carried.at(place), torsion=float(found.torsion[place]), course=course)
+        yield replace(most, web=carried.at(place), torsion=float(web.torsion[place]), course=course)
     if isinstance(beam.section, RibSection):
-        share = np.interp(part.way, own.way, _larger_side(results, own, section))
+        share = np.interp(part.way, forces.way, _larger_side(results, forces, section))
         yield _flange_need(results, part, section, share, steel)
 
 
@@ -302,8 +302,8 @@ def _flange(results: CombinationResult, own: BeamResult) -> Array:
     thinnest = np.full(len(length), np.inf)
     for places in (middle + beside, middle - beside):
         element = locate(mesh, places)[0]
-        there = element >= 0
-        own_t = np.where(there, results.elements.thickness[element], np.inf)
+        on_mesh = element >= 0
+        own_t = np.where(on_mesh, results.elements.thickness[element], np.inf)
         thinnest[between] = np.minimum(thinnest[between], own_t)
     goes_on = np.append(length > 0, False)
     after, before = np.append(thinnest, np.inf), np.insert(thinnest, 0, np.inf)

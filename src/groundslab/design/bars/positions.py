@@ -90,10 +90,10 @@ def positions(model: Model) -> list[Position]:
     steel = model.reinforcement
     if steel is None or not steel.laid:
         return []
-    found = [position for bar_set in bar_sets(model) for position in _of_set(model, steel, bar_set)]
+    laid = [position for bar_set in bar_sets(model) for position in _of_set(model, steel, bar_set)]
     if steel.detailing is not None and steel.detailing.edge_bars:
-        found += _edge_bars(model, steel)
-    return [replace(position, mark=number) for number, position in enumerate(found, start=1)]
+        laid += _edge_bars(model, steel)
+    return [replace(position, mark=number) for number, position in enumerate(laid, start=1)]
 
 
 def cut(length: float, stock: float, lap: float) -> tuple[int, float]:
@@ -125,7 +125,7 @@ def edge_thickness(model: Model) -> float:
 def lap_of(model: Model, steel: Reinforcement, layer: str, bars: Bars, rule: DetailingRule) -> float:
     """Return the lap [m] of bars of a layer, counted where the slab is thickest and bars of a zone lie between."""
     axis, h = axis_of(steel, layer), largest_thickness(model)
-    base, *zones = (each.spacing for each in bars_of(steel, layer))
+    base, *zones = (layer_bars.spacing for layer_bars in bars_of(steel, layer))
     apart = 1 / (1 / base + 1 / min(zones)) if zones else base
     below = h - axis if layer.startswith("top") else axis
     return rule.lap(steel, EndingBar(bars.diameter, axis, apart, below, h - below))

@@ -132,9 +132,9 @@ def _governing(combined: Results, steel: Reinforcement, laid: Mapping[str, Array
     rows = []
     for layer in LAYERS:
         area = largest_areas(required, layer)[0]
-        there = np.zeros(len(section)) if laid is None else laid[layer]
-        for number, own_area in np.unique(np.column_stack([section, there]), axis=0):
-            nodes = np.flatnonzero((section == number) & (there == own_area))
+        provided = np.zeros(len(section)) if laid is None else laid[layer]
+        for number, own_area in np.unique(np.column_stack([section, provided]), axis=0):
+            nodes = np.flatnonzero((section == number) & (provided == own_area))
             shares = [_share(plate, nodes[flags[nodes]]) for flags in (np.isinf(area), linked)]
             needs = []
             for state, by_layer in largest.items():
@@ -174,11 +174,11 @@ def _need(
     shares: list[float],
 ) -> Need:
     """Return a layer's needs by a code's rule for the largest moments of its own face and of the other one."""
-    here, there = axis_of(steel, layer), axis_of(steel, _OTHER[layer])
-    depths = t - here, t - there
+    here, crossing = axis_of(steel, layer), axis_of(steel, _OTHER[layer])
+    depths = t - here, t - crossing
     near, other = (
         rule.required(np.array(peak[0]), d, d_2=d_2, thickness=t)
-        for peak, d, d_2 in zip(moments, depths, (there, here), strict=True)
+        for peak, d, d_2 in zip(moments, depths, (crossing, here), strict=True)
     )
     areas = {MINIMUM: near.minimum, MOMENT: near.tension, COMPRESSION: other.compression}
     area, governed_by = max(((float(value), name) for name, value in areas.items()), key=lambda one: one[0])

@@ -61,7 +61,7 @@ def wall_needs(combined: Results, steel: Reinforcement) -> list[WallNeed]:
         return []
     away = max(plate.thickness for plate in model.every_plate)
     lengths = [wall.length for wall in model.placed_walls if wall.height is not None]
-    found = []
+    governing = []
     for number, (member, wall) in enumerate(zip(model.members, model.wall_of_members, strict=True)):
         section = member.section
         if wall < 0 or not isinstance(section, RectangularSection):
@@ -76,5 +76,5 @@ def wall_needs(combined: Results, steel: Reinforcement) -> list[WallNeed]:
             upright, level = (None, None) if rule.least is None else rule.least(t)
             needs.append(WallNeed(member.name, float(part.shear[most]), borne, upright, level, float(part.way[most]),
                                   place, results.combination, number, away))  # fmt: skip
-        found += [max(needs, key=lambda need: need.used)] if needs else []
-    return found
+        governing += [max(needs, key=lambda need: need.used)] if needs else []
+    return governing

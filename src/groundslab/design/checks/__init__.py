@@ -130,9 +130,9 @@ def check_design(combined: Results) -> Design:
 @made_once
 def _check_design(combined: Results) -> Design:
     """Return the checks, which are made once of the same results."""
-    made = [in_units(check, combined.model.units) for find in CHECKS for check in find(combined)]
-    checked = tuple(sorted((check for check in made if check.status != "not checked"), key=_order))
-    unchecked = {check.name: check.words for check in made if check.status == "not checked"}
+    checks = [in_units(check, combined.model.units) for find in CHECKS for check in find(combined)]
+    checked = tuple(sorted((check for check in checks if check.status != "not checked"), key=_order))
+    unchecked = {check.name: check.words for check in checks if check.status == "not checked"}
     left = joined((unchecked if "strength" in unchecked else {"anchorage": NOT_CHECKED, **unchecked}).values(), "; ")
     failing, doubtful = (sum(check.status == status for check in checked) for status in ("fails", "attention"))
     hanging = sum(check.hangs for check in checked)

@@ -88,8 +88,8 @@ def _pulls_in_part(results: list[CombinationResult]) -> Iterator[tuple[float, st
     if not results:
         return
     parts = thirds(_held_lines(results[0].model))
-    some = any(isinstance(shape, LineForce | PointForce) for _, shape in results[0].solved_model.acting)
-    on_parts = [_loads_on(results[0], part) if some else {} for part in parts]
+    has_local_loads = any(isinstance(shape, LineForce | PointForce) for _, shape in results[0].solved_model.acting)
+    on_parts = [_loads_on(results[0], part) if has_local_loads else {} for part in parts]
     for result in results:
         plate = result.plate
         sides = plate.nodes[sides_on_boundary(plate.elements)]

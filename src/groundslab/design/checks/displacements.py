@@ -36,11 +36,11 @@ class _Largest:
 
 def checks(combined: Results) -> Iterator[DesignCheck]:
     """Yield the largest deflection and slope of all combinations that are too large for small displacements."""
-    found = [
+    displacements = [
         largest for result in solved_results(combined) for part in split_by_plate(result).values()
         for largest in (_deflection(part), _slope(part))
     ]  # fmt: skip
-    worst = max(found, key=lambda largest: largest.share, default=None)
+    worst = max(displacements, key=lambda largest: largest.share, default=None)
     if worst is None or worst.share <= 1:
         return
     yield DesignCheck(NAME, "attention", worst.words, combination=worst.combination, place=worst.place)

@@ -44,9 +44,9 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
         yield _failure(combined, combination)
     failed = {combination.limit_state for combination in lost}
     for state in _CHECKS:
-        made = [combination for combination in combined.combinations if combination.limit_state == state]
-        if made and state not in failed and any(combination.name in combined.results for combination in made):
-            yield _balanced(combined, made)
+        of_state = [combination for combination in combined.combinations if combination.limit_state == state]
+        if of_state and state not in failed and any(combination.name in combined.results for combination in of_state):
+            yield _balanced(combined, of_state)
     if not combined.model.contact.tensionless:
         yield from _pulling_ground(combined)
     if combined.unsolved:

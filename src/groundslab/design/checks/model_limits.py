@@ -68,7 +68,7 @@ def _supports(results: list[CombinationResult]) -> Iterator[DesignCheck]:
             result.combination: utilization(described, result.supports[number], result.limit_state)
             for result in results
         }
-        limited = {combination: one for combination, one in used.items() if one is not None}
+        limited = {combination: share for combination, share in used.items() if share is not None}
         if limited:
             check = _resistance(described, name, limited)
             governing = next(result for result in results if result.combination == check.combination)
@@ -79,19 +79,22 @@ def _supports(results: list[CombinationResult]) -> Iterator[DesignCheck]:
 
 def _resistance(described: AnySupport, name: str, used: Mapping[str, Utilization]) -> DesignCheck:
     """Return the check of a support against its limits, in the combination that governs."""
-    reached = [combination for combination, one in used.items() if one.reached]
+    reached = [combination for combination, share in used.items() if share.reached]
     characteristic = described.limit_is == "characteristic resistance"
     most_used = max(used, key=lambda combination: used[combination].share)
     governing = reached[0] if reached and not characteristic else most_used
-    one = used[governing]
+    share = used[governing]
     unit = "kN/m" if isinstance(described, LineSupport) else "kN"
-    force, limit = one.force / 1e3, one.limit / 1e3
-    given = Message("{kind} of {limit}", kind=described.limit_is, limit=quantity(limit * one.factor, unit))
+    force, limit = share.force / 1e3, share.limit / 1e3
+    limit_words = Message("{kind} of {limit}", kind=described.limit_is, limit=quantity(limit * share.factor, unit))
     most = (
-        Message("its {given}", given=given)
-        if one.factor == 1
+        Message("its {given}", given=limit_words)
+        if share.factor == 1
         else Message(
-            "{limit}, its {given} over {factor:g},", limit=quantity(limit, unit, ".4g"), given=given, factor=one.factor
+            "{limit}, its {given} over {factor:g},",
+            limit=quantity(limit, unit, ".4g"),
+            given=limit_words,
+            factor=share.factor,
         )
     )
     status: Status = "no failure found"
@@ -99,7 +102,7 @@ def _resistance(described: AnySupport, name: str, used: Mapping[str, Utilization
         '{name}: {force} is {share:.3g} times {most} in "{governing}"',
         name=Name(name),
         force=quantity(force, unit, ".4g"),
-        share=one.share,
+        share=share.share,
         most=most,
         governing=Name(governing),
     )
@@ -124,9 +127,9 @@ def _resistance(described: AnySupport, name: str, used: Mapping[str, Utilization
         unit=unit,
         clause="EN 1997-1 7.6.2.1, 7.6.3.1" if pile and described.limit_is != "ultimate resistance" else "",
         combination=governing,
-        place=one.place,
+        place=share.place,
         foundation=True,
-        steps=tuple(_steps(described, one, unit.replace("k", "M"))),
+        steps=tuple(_steps(described, share, unit.replace("k", "M"))),
     )
 
 
@@ -222,8 +225,8 @@ def _error(described: AnySupport, number: int, results: CombinationResult, limit
     """Return the error of what a support carries against a limit [N], in the unit of its check."""
 
     def used(mesh: CombinationResult) -> float:
-        one = utilization(described, mesh.supports[number], results.limit_state)
-        return 0.0 if one is None else one.share
+        share = utilization(described, mesh.supports[number], results.limit_state)
+        return 0.0 if share is None else share.share
 
     return scaled(error_of(results, used), limit / 1e3)
 

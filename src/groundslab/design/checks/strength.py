@@ -61,10 +61,10 @@ def _beams(combined: Results, code: DesignCode) -> Iterator[DesignCheck]:
     if code.beams is None:
         yield no_rule(code, "beams")
         return
-    given = [beam.name for beam in combined.model.beams if isinstance(beam.section, GivenSection)]
-    if given:
+    by_properties = [beam.name for beam in combined.model.beams if isinstance(beam.section, GivenSection)]
+    if by_properties:
         yield not_judged(
-            "beams by their properties", GIVEN_SECTION, Message("the strength of {names}", names=some(given))
+            "beams by their properties", GIVEN_SECTION, Message("the strength of {names}", names=some(by_properties))
         )
     needs = beam_bars.beam_needs(combined, steel)
     if not needs:

@@ -49,7 +49,7 @@ def faces_on(model: Model, beam: Beam, length: float) -> list[Faces]:
     chord = FLAT * max(model.sides)
     axis = beam.to_shapely(chord)
     near = NEAR * axis.length
-    found = []
+    faces = []
     for shape, direct in _shapes(model, beam, side, chord, near):
         met = axis.intersection(shape)
         # a line along the beam is no place of its own
@@ -57,11 +57,11 @@ def faces_on(model: Model, beam: Beam, length: float) -> list[Faces]:
             continue
         ways = [axis.project(place) for part in getattr(met, "geoms", [met]) for place in _ends(part)]
         low, high = (float(way) * length / axis.length for way in (min(ways), max(ways)))
-        found.append(Faces(low, high, direct))
+        faces.append(Faces(low, high, direct))
     if not beam.closed:
-        found += [Faces(end, end, direct=False) for end in (0.0, length)
-                  if not any(each.low - near <= end <= each.high + near for each in found)]  # fmt: skip
-    return sorted(found, key=lambda each: each.low)
+        faces += [Faces(end, end, direct=False) for end in (0.0, length)
+                  if not any(face.low - near <= end <= face.high + near for face in faces)]  # fmt: skip
+    return sorted(faces, key=lambda face: face.low)
 
 
 def _shapes(model: Model, beam: Beam, side: str, chord: float, near: float) -> Iterator[tuple[BaseGeometry, bool]]:

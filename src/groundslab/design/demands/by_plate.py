@@ -59,8 +59,8 @@ def split_by_plate(results: CombinationResult) -> dict[str, CombinationResult]:
 
 def _part_of(elements: ElementResult, those: Flags) -> ElementResult:
     values = {field.name: getattr(elements, field.name) for field in fields(elements)}
-    some: dict[str, Any] = {name: value if value is None else value[those] for name, value in values.items()}
-    return ElementResult(**some)
+    parts: dict[str, Any] = {name: value if value is None else value[those] for name, value in values.items()}
+    return ElementResult(**parts)
 
 
 def _part_of_comparison(comparison: Comparison | None, elements: Integers, those: Flags) -> Comparison | None:
@@ -68,7 +68,8 @@ def _part_of_comparison(comparison: Comparison | None, elements: Integers, those
         return None
     nodes = np.unique(elements[those])
     of_moments, of_shear = (
-        None if each is None else each[nodes] for each in (comparison.moment_reduction, comparison.shear_reduction)
+        None if reduction is None else reduction[nodes]
+        for reduction in (comparison.moment_reduction, comparison.shear_reduction)
     )
     return replace(
         comparison,

@@ -78,14 +78,14 @@ def spread_edge_force(results: CombinationResult, nodes: Integers | None = None)
     plate = results.plate
     if not has_line_force(results):
         return plate
-    some = np.arange(len(plate.nodes)) if nodes is None else nodes
+    asked = np.arange(len(plate.nodes)) if nodes is None else nodes
     (sides, f), b = _sides(results), strip_width(results)
-    places, known = plate.nodes[some], _pairs_of(plate)
+    places, known = plate.nodes[asked], _pairs_of(plate)
     width = WIDER ** math.ceil(math.log(b, WIDER))
-    key = width, some.tobytes()
+    key = width, asked.tobytes()
     pairs = known[key] if key in known else known.setdefault(key, _pairs(places, sides, width))
     pressure, shear = np.zeros(len(plate.nodes)), np.zeros((len(plate.nodes), 2))
-    pressure[some], shear[some] = _spread(places, sides, f, b, pairs)
+    pressure[asked], shear[asked] = _spread(places, sides, f, b, pairs)
     return replace(
         plate,
         pressure=plate.pressure + pressure,

@@ -124,7 +124,7 @@ def _crossings(xy: Array, a: Array, b: Array) -> Array:
     t = np.stack([np.divide(c, q, out=nowhere, where=q != 0), np.divide(q, bend, out=nowhere.copy(), where=bend != 0)])
     crossed = (np.abs(t) <= 1) & (root >= 0) & ~near.all(axis=1)  # a side that lies on the leg is not crossed
     s_of_t = s[:, 2] + t * (s[:, 1] - s[:, 0]) / 2 + t**2 * ((s[:, 0] + s[:, 1]) / 2 - s[:, 2])
-    found = np.unique(np.concatenate([on, s_of_t[crossed]]))
-    inside = found[(found > ON_LINE * length) & (found < (1 - ON_LINE) * length)]
+    crossings = np.unique(np.concatenate([on, s_of_t[crossed]]))
+    inside = crossings[(crossings > ON_LINE * length) & (crossings < (1 - ON_LINE) * length)]
     apart = np.diff(inside, prepend=-np.inf) > ON_LINE * length
     return np.concatenate([[0.0], inside[apart], [length]])

@@ -71,10 +71,10 @@ def pushing_forces(
     for punching in (way for force in forces for way in force.ways):
         pushing = [result for result in results if _acts(punching.pushing(result), least)]
         if pushing:
-            known, key = kept(pushing[0], model), (punching.key, punching.pulls)
-            if key not in known:
-                known[key] = make(pushing[0], punching)
-            yield punching, known[key], pushing
+            sections, key = kept(pushing[0], model), (punching.key, punching.pulls)
+            if key not in sections:
+                sections[key] = make(pushing[0], punching)
+            yield punching, sections[key], pushing
 
 
 def _acts(pushing: Array, least: float) -> bool:
@@ -322,7 +322,7 @@ class LoadsNear:
         """Return the loads inside each of several perimeters."""
         mesh = Mesh(results.plate.nodes, results.plate.elements)
         shares = load_vectors.integrate_over_polygons(mesh, self.elements, parts, rule=load_vectors.SHAPE_POINTS)
-        return [self._inside(results, mesh, part, each) for part, each in zip(parts, shares, strict=True)]
+        return [self._inside(results, mesh, part, share) for part, share in zip(parts, shares, strict=True)]
 
     def _inside(self, results: CombinationResult, mesh: Mesh, part: Polygon, shares: Array) -> PerimeterLoads:
         """Return the loads inside a perimeter by the elements' shares int N dA (k, 9) [m2] of its area."""
@@ -427,11 +427,11 @@ def _stretches(axis: LineString, part: Polygon) -> list[tuple[float, float]]:
     shapely.prepare(part)
     lines = shapely.linestrings(pieces)
     met = np.flatnonzero(shapely.intersects(part, lines))
-    found, which = shapely.get_parts(shapely.intersection(lines[met], part), return_index=True)
-    corners, of = shapely.get_coordinates(found, return_index=True)
+    parts, which = shapely.get_parts(shapely.intersection(lines[met], part), return_index=True)
+    corners, of = shapely.get_coordinates(parts, return_index=True)
     piece = met[which[of]]
     ways = starts[piece] + np.linalg.norm(corners - pieces[piece, 0], axis=1)
-    spans = sorted((ways[of == each].min(), ways[of == each].max()) for each in np.unique(of))
+    spans = sorted((ways[of == number].min(), ways[of == number].max()) for number in np.unique(of))
     whole: list[tuple[float, float]] = []
     for start, end in spans:
         if whole and start <= whole[-1][1] + NEAR_BY:

@@ -158,9 +158,9 @@ def moments_across(plate: PlateResult, ends: Array) -> tuple[Array, Array]:
 def length_across(plate: PlateResult, ends: Array) -> Array:
     """Return how much of straight cuts (l, 2, 2) [m] lies on the plate (l,) [m]."""
     line = pieces(Mesh(plate.nodes, plate.elements), ends)
-    found = np.zeros(len(ends))
-    np.add.at(found, line.leg, line.length)
-    return found
+    lengths = np.zeros(len(ends))
+    np.add.at(lengths, line.leg, line.length)
+    return lengths
 
 
 @made_once_by(attrgetter("nodes", "elements"))
@@ -220,12 +220,12 @@ def _legs(points: Array) -> Array:
     """Return the legs (k - 1, 2, 2) of a polyline; InputError unless it has two different points in a row or more."""
     points = np.asarray(points, dtype=float)
     if points.ndim != 2 or points.shape[1:] != (2,) or len(points) < 2 or not np.isfinite(points).all():
-        found = (
+        legs = (
             Message("an array of shape {shape}", shape=points.shape)
             if np.isfinite(points).all()
             else "places that are not finite"
         )
-        raise InputError([Issue("points", found, "two or more places (x, y)")])
+        raise InputError([Issue("points", legs, "two or more places (x, y)")])
     ends = np.stack([points[:-1], points[1:]], axis=1)
     same = np.flatnonzero((ends[:, 0] == ends[:, 1]).all(axis=1))
     if len(same):
@@ -236,14 +236,14 @@ def _legs(points: Array) -> Array:
 
 def _on_plate(mesh: Mesh, ends: Array, where: str) -> Pieces:
     """Return the pieces of legs in the plate's elements; InputError if there are none."""
-    known = _pieces_of(mesh)
+    mesh_pieces = _pieces_of(mesh)
     key = ends.tobytes()
-    line = known[key] if key in known else known.setdefault(key, pieces(mesh, ends))
+    line = mesh_pieces[key] if key in mesh_pieces else mesh_pieces.setdefault(key, pieces(mesh, ends))
     if not len(line.low):
-        found = Message(
+        off_plate = Message(
             "a line from {start:at (m)} to {end:at m} that does not meet the plate", start=ends[0, 0], end=ends[-1, 1]
         )
-        raise InputError([Issue(where, found, "a line that crosses the plate")])
+        raise InputError([Issue(where, off_plate, "a line that crosses the plate")])
     return line
 
 
@@ -295,7 +295,7 @@ def carried_across(results: CombinationResult, starts: Array, ends: Array) -> Ar
                     continue
                 t = steps[piece] / lengths[piece]
                 here = result.at(np.array([way, way]))  # where they jump, on both sides
-                M, V, T = (float(each.mean()) for each in (here.moment, here.own_shear, here.torsion))
+                M, V, T = (float(force.mean()) for force in (here.moment, here.own_shear, here.torsion))
                 onwards = np.sign(t @ forth)
                 carried[number] += onwards * np.array([M * (t @ forth) + T * (np.array([-t[1], t[0]]) @ forth), V])
     return carried

@@ -171,26 +171,26 @@ def wall_perimeters(
     from shapely import box, contains_xy, prepare
 
     courses = [course(area, float(distance)) for distance in distances]
-    legs = np.concatenate([each.legs for each in courses])
-    number = np.repeat(np.arange(len(courses)), [len(each.legs) for each in courses])
+    legs = np.concatenate([line.legs for line in courses])
+    number = np.repeat(np.arange(len(courses)), [len(line.legs) for line in courses])
     middle, run = legs.mean(axis=1), legs[:, 1] - legs[:, 0]
     prepare(plan)
     on = np.asarray(contains_xy(plan, *middle.T))
     mesh = Mesh(plate.nodes, plate.elements)
     near = load_vectors.find_elements_near(mesh, box(*middle.min(axis=0), *middle.max(axis=0)))
-    found, local = locate(Mesh(mesh.nodes, mesh.elements[near]), middle)
-    on &= found >= 0
+    element, local = locate(Mesh(mesh.nodes, mesh.elements[near]), middle)
+    on &= element >= 0
     counted = on if shadow.is_empty else on & ~contains_xy(shadow, *middle.T)
-    turns = np.concatenate([each.turns for each in courses])
-    of_turns, there = (np.bincount(number[some], minlength=len(courses)) for some in (turns, turns & on))
+    turns = np.concatenate([line.turns for line in courses])
+    of_turns, on_plate = (np.bincount(number[mask], minlength=len(courses)) for mask in (turns, turns & on))
     u = np.zeros(len(courses))
     length = np.linalg.norm(run, axis=1)
     if shares is not None:
         for k, distance in enumerate(distances):
             length[number == k] *= shares(middle[number == k], float(distance))
     np.add.at(u, number[counted], length[counted])
-    kept = np.flatnonzero((there >= LEAST_TURNED * of_turns) & (u > 0))
-    of_nodes = mesh.elements[near[found[on]]]
+    kept = np.flatnonzero((on_plate >= LEAST_TURNED * of_turns) & (u > 0))
+    of_nodes = mesh.elements[near[element[on]]]
     nodes, which = unique_integers(of_nodes)
     inward = np.stack([-run[on, 1], run[on, 0]])
     across = np.zeros((2, len(courses), len(nodes)))

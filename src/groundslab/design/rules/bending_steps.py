@@ -43,8 +43,8 @@ def area(need: BarsNeeded, block: tuple[float, float], clause: str) -> Iterator[
     omega = 2 * mu / (1 + (1 - 2 * mu) ** 0.5)
     yield Step("moment over that of the block", "mu", mu, "", FORMULAS["mu"], clause)
     yield Step("depth of the block over d", "omega", omega, "", FORMULAS["omega"], clause)
-    found = omega * f_c * need.d / f_y * CM2
-    yield Step("bars that the moment needs", "A_s", found, "cm2/m", FORMULAS["A_s"], clause)
+    area = omega * f_c * need.d / f_y * CM2
+    yield Step("bars that the moment needs", "A_s", area, "cm2/m", FORMULAS["A_s"], clause)
 
 
 def required(need: BarsNeeded, minimum: Iterable[Step]) -> Iterator[Step]:

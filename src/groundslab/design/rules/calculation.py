@@ -61,14 +61,19 @@ def punching_force(
     punches, V [N]; parts are its force, other loads, pressure and line force along the plate's edge inside [N]. The
     line force counts where that makes V.
     """
-    own, punching = symbols
-    (one, pulls), (force, others, pressure, edge) = what, parts
-    way, with_loads, with_ground = (-1.0, "-", "+") if (one == "pile") != pulls else (1.0, "+", "-")
+    own_symbol, punching = symbols
+    (support, pulls), (force, others, pressure, edge) = what, parts
+    way, with_loads, with_ground = (-1.0, "-", "+") if (support == "pile") != pulls else (1.0, "+", "-")
     of_zone = ZONE_PULLS if pulls else ZONE
-    yield Step(of_zone if one == "zone" else f"{'pull' if pulls else 'force'} of the {one}", own, force / MEGA, "MN")
+    yield Step(
+        of_zone if support == "zone" else f"{'pull' if pulls else 'force'} of the {support}",
+        own_symbol,
+        force / MEGA,
+        "MN",
+    )
     yield Step("other loads inside the perimeter", "N_o", others / MEGA, "MN")
     yield Step("pressure of the ground inside", "N_p", pressure / MEGA, "MN")
-    formula = f"{own} {with_loads} N_o {with_ground} N_p"
+    formula = f"{own_symbol} {with_loads} N_o {with_ground} N_p"
     if edge and abs(V - (force + way * (others - pressure - edge))) <= SAME * max(map(abs, parts)):
         yield Step("line force of the ground along the plate's edge inside", "N_e", edge / MEGA, "MN")
         formula += f" {with_ground} N_e"

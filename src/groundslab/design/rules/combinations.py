@@ -28,10 +28,10 @@ def ultimate_results(combined: Results) -> list[CombinationResult]:
 
 def why_none(combined: Results, states: Sequence[str], called: str) -> str:
     """Return why no combination of some limit states has results, by what such a combination is called."""
-    there = any(combination.limit_state in states for combination in combined.combinations)
+    has_any = any(combination.limit_state in states for combination in combined.combinations)
     return (
         Message("no {called} has a certified result", called=called)
-        if there
+        if has_any
         else Message("the case has no {called}", called=called)
     )
 

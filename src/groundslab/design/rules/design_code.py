@@ -161,8 +161,8 @@ class TensionZone(NamedTuple):
 
     def at(self, place: int) -> TensionZone:
         """Return it at one place alone."""
-        some = slice(place, place + 1)
-        cut = {name: getattr(self, name)[some] for name in ("d", "modulus", "mean_width", "h", "depth", "flange")}
+        one_place = slice(place, place + 1)
+        cut = {name: getattr(self, name)[one_place] for name in ("d", "modulus", "mean_width", "h", "depth", "flange")}
         return self._replace(**cut)
 
 

@@ -195,7 +195,9 @@ def with_the_rest(
         Why others have no perimeter, by name.
     """
     many, none, cut = called
-    cuts, bare = ([each for each, why in sorted(missing.items()) if (why == cut) == is_cut] for is_cut in (True, False))
+    cuts, bare = (
+        [without for without, why in sorted(missing.items()) if (why == cut) == is_cut] for is_cut in (True, False)
+    )
     one_way = (
         Message(
             "perimeters of {many} ({named}) cut the slab from edge to edge, which one-way shear judges",

@@ -124,11 +124,11 @@ def punching_walls(
     first = results[0]
     counts = openings, share
     forces = forces_at_ends(model, results)
-    known = _known_sites(first, model)
+    sites_by_way = _known_sites(first, model)
     for pulls in (False, True):
-        if pulls not in known and any((force < 0) if pulls else (force > 0) for force in forces.values()):
-            known[pulls] = [*_sites(first, steel, distances, counts, (most_along, pulls))]
-    sites = [site for some in known.values() for site in some]
+        if pulls not in sites_by_way and any((force < 0) if pulls else (force > 0) for force in forces.values()):
+            sites_by_way[pulls] = [*_sites(first, steel, distances, counts, (most_along, pulls))]
+    sites = [site for of_way in sites_by_way.values() for site in of_way]
     if not sites:
         return
     nodes = np.unique(np.concatenate([site.perimeters.nodes for site in sites]))

@@ -22,8 +22,8 @@ class Web(NamedTuple):
 
     def at(self, place: int) -> Web:
         """Return the web at one place alone."""
-        some = slice(place, place + 1)
-        return self._replace(V=self.V[some], T=self.T[some], h=self.h[some], d=self.d[some])
+        one_place = slice(place, place + 1)
+        return self._replace(V=self.V[one_place], T=self.T[one_place], h=self.h[one_place], d=self.d[one_place])
 
 
 class Flange(NamedTuple):
@@ -42,8 +42,10 @@ class Flange(NamedTuple):
 
     def at(self, place: int) -> Flange:
         """Return the flange at one place alone."""
-        some = slice(place, place + 1)
-        return Flange(self.V[some], self.z[some], self.share[some], self.h[some], self.compressed[some])
+        one_place = slice(place, place + 1)
+        return Flange(
+            self.V[one_place], self.z[one_place], self.share[one_place], self.h[one_place], self.compressed[one_place]
+        )
 
     def steps(self) -> Iterator[Step]:
         """Yield the calculation of the stress at one place."""

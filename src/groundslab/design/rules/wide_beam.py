@@ -80,9 +80,9 @@ class Cut:
         nodal, solved = self._across(plate), self._across(results.plate)
         if not self.means:
             return abs(nodal)
-        own = sum(n * float(self.shares @ getattr(results.elements, name)[self.element])
+        of_element = sum(n * float(self.shares @ getattr(results.elements, name)[self.element])
                   for n, name in zip(self.normal, ("shear_x", "shear_y"), strict=True))  # fmt: skip
-        return max(abs(nodal), abs(own + nodal - solved))
+        return max(abs(nodal), abs(of_element + nodal - solved))
 
     def _across(self, plate: PlateResult) -> float:
         """Return the mean of nodal shear forces across it [N/m]."""

@@ -98,18 +98,18 @@ def _reference(part: Any) -> Any:
 def _read(families: Any) -> list[AnyAxes] | None:
     """Return the families of axes, None if the kind of one is not known; raises FieldError with all their issues."""
     kinds = sections_by_kind((StraightAxes, RayAxes, RingAxes))
-    known, issues = list[AnyAxes](), list[RelativeIssue]()
+    axes_read, issues = list[AnyAxes](), list[RelativeIssue]()
     for position, family in enumerate(families if isinstance(families, list | tuple) else ()):
         kind = family.get("kind") if isinstance(family, Mapping) else getattr(family, "kind", None)
         if not isinstance(kind, str) or kind not in kinds:
             return None
         try:
-            known.append(kinds[kind].read(family, from_file=False))
+            axes_read.append(kinds[kind].read(family, from_file=False))
         except FieldError as error:
             issues += [issue.below(("axes", position)) for issue in error.relative_issues]
     if issues:
         raise FieldError(*issues)
-    return known
+    return axes_read
 
 
 def _placed_anywhere(name: str, part: Any) -> Any:
@@ -117,8 +117,8 @@ def _placed_anywhere(name: str, part: Any) -> Any:
     if _reference(part) is None or not isinstance(part, Mapping):
         return part
     is_point = name == "columns" or part.get("kind") in AT_POINT
-    given = _place_keys([(0.0, 0.0), (1.0, 0.0)], is_point)
-    return {key: value for key, value in part.items() if key != "at"} | {k: _written(v) for k, v in given.items()}
+    keys = _place_keys([(0.0, 0.0), (1.0, 0.0)], is_point)
+    return {key: value for key, value in part.items() if key != "at"} | {k: _written(v) for k, v in keys.items()}
 
 
 def _attach_one(name: str, part: Any, axes: Mapping[str, Axis]) -> Any:
@@ -136,15 +136,15 @@ def _attach_one(name: str, part: Any, axes: Mapping[str, Axis]) -> Any:
         places = [find_crossing(text, axes) for text in ((at,) if is_point else _texts(at))]
     except FieldError as error:
         issues = error.relative_issues
-    given = _place_keys(places or [(0.0, 0.0), (1.0, 0.0)], is_point)
+    keys = _place_keys(places or [(0.0, 0.0), (1.0, 0.0)], is_point)
     if not isinstance(part, Mapping):
         if not issues:
-            return part.model_copy(update=given)
+            return part.model_copy(update=keys)
         part = dict(part)
     else:
-        issues = issues or tuple(_find_other_place(part, given))
-        given = {key: _written(value) for key, value in given.items()}
-    return {**part, **given, **({"at": InvalidCrossing(issues)} if issues else {})}
+        issues = issues or tuple(_find_other_place(part, keys))
+        keys = {key: _written(value) for key, value in keys.items()}
+    return {**part, **keys, **({"at": InvalidCrossing(issues)} if issues else {})}
 
 
 def _texts(at: Any) -> Sequence[Any]:

@@ -67,8 +67,8 @@ def _letters(position: int) -> str:
 
 def _check_names(first: str, names: tuple[str, ...]) -> Iterator[RelativeIssue]:
     """Find names that references could not hold."""
-    given = [("first",)] if not names else [("names", n) for n in range(len(names))]
-    for place, name in zip(given, names or (first,), strict=True):
+    places = [("first",)] if not names else [("names", n) for n in range(len(names))]
+    for place, name in zip(places, names or (first,), strict=True):
         if not name.strip() or BETWEEN in name or name != name.strip():
             expected = f"a name without blanks around it and without {BETWEEN}"
             yield RelativeIssue(place, describe(name), expected, f"{BETWEEN} stands between axes that cross")
@@ -176,15 +176,15 @@ AxesFamily = Annotated[AnyAxes, ByKind()]
 
 def check_axes(axes: tuple[AnyAxes, ...]) -> Iterator[RelativeIssue]:
     """Find axes of the same name."""
-    known: dict[str, int] = {}
+    positions: dict[str, int] = {}
     for position, family in enumerate(axes):
         for name in (axis.name for axis in family.axes):
-            if name in known:
+            if name in positions:
                 place = ("axes", position, "names" if family.names else "first")
-                hint = f"axes[{known[name] + 1}] has one of that name"
+                hint = f"axes[{positions[name] + 1}] has one of that name"
                 yield RelativeIssue(place, f"a second axis {describe(name)}", "a name for each axis of its own", hint)
                 break
-        known |= {axis.name: position for axis in family.axes}
+        positions |= {axis.name: position for axis in family.axes}
 
 
 def crossings(one: Axis, other: Axis) -> tuple[Place, ...]:

@@ -47,8 +47,8 @@ class Diameter(Quantity):
         """Return the diameter [m]; raises FieldError."""
         if isinstance(value, str) and value.startswith("#") and value not in BAR_SIZES:
             raise field_error(value, self.expected(), f"there are {listed(BAR_SIZES, 'and')}")
-        known = super().read(value, from_file)
-        return BAR_SIZES[known] if isinstance(known, str) else known
+        bars = super().read(value, from_file)
+        return BAR_SIZES[bars] if isinstance(bars, str) else bars
 
     def write(self, value: float | str) -> str:
         """Return the number of a size where it has one, else the length."""

@@ -77,16 +77,16 @@ def laid_bars(steel: Reinforcement, layer: str, places: Array) -> LaidBars:
     x, y = places.T
     near = same_place(x.min(), x.max(), y.min(), y.max()) if len(places) else 0.0
     sets = bars_of(steel, layer)
-    there = [np.ones(len(places), dtype=bool)]
+    masks = [np.ones(len(places), dtype=bool)]
     for zone in steel.zones:
         if layer in zone.layers:
             region = polygon_of(zone.shape.ring()).buffer(near, join_style="mitre")
-            there.append(intersects_xy(region, x, y))
+            masks.append(intersects_xy(region, x, y))
     diameter, spacing = (np.array([getattr(bars, name) for bars in sets])[:, None] for name in ("diameter", "spacing"))
-    count = np.array(there) / spacing  # per length
+    count = np.array(masks) / spacing  # per length
     squares = (count * diameter**2).sum(axis=0)
-    farthest = np.where(there, spacing, np.inf).min(axis=0)
-    thickest = np.where(there, diameter, 0.0).max(axis=0)
+    farthest = np.where(masks, spacing, np.inf).min(axis=0)
+    thickest = np.where(masks, diameter, 0.0).max(axis=0)
     clear = 1 / count.sum(axis=0) - thickest
     return LaidBars(np.pi / 4 * squares, squares / (count * diameter).sum(axis=0), farthest, clear, thickest)
 

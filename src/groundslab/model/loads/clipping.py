@@ -144,7 +144,7 @@ def pieces_on_spans(line: LineForce, spans: Sequence[Segment]) -> list[tuple[int
 
     A piece runs along its span.
     """
-    found = []
+    pieces = []
     for number, edge in enumerate(line.edges if spans else ()):
         for position, span in enumerate(spans):
             part = _shared_part(edge, span) if edge.straight else None
@@ -154,8 +154,8 @@ def pieces_on_spans(line: LineForce, spans: Sequence[Segment]) -> list[tuple[int
             if np.subtract(edge.end, edge.start) @ np.subtract(span.end, span.start) < 0:
                 (q_1, q_2), (m_1, m_2) = piece.q, piece.m
                 piece = LinePiece(Segment(piece.edge.end, piece.edge.start), (q_2, q_1), (-m_2, -m_1))
-            found.append((position, piece))
-    return found
+            pieces.append((position, piece))
+    return pieces
 
 
 def _shared_part(edge: Segment, span: Segment) -> tuple[float, float] | None:
@@ -189,7 +189,7 @@ class _Drawn:
 
 def _drawn_shapes(loads: Sequence[AnyLoad], walls: tuple[Wall, ...]) -> list[_Drawn]:
     """Return the areas and lines of loads, but for those on walls that are unknown."""
-    known = {wall.name for wall in walls}
+    wall_names = {wall.name for wall in walls}
     return [
         _Drawn(
             position,
@@ -200,7 +200,7 @@ def _drawn_shapes(loads: Sequence[AnyLoad], walls: tuple[Wall, ...]) -> list[_Dr
             else bounding_box(shape.edges),
         )
         for position, load in enumerate(loads)
-        if isinstance(load, Spread) and getattr(load, "wall", "") in {"", *known}
+        if isinstance(load, Spread) and getattr(load, "wall", "") in {"", *wall_names}
         for shape in (load.on(walls) if isinstance(load, LineLoad | LineMoment) else load).acts
     ]
 

@@ -74,9 +74,9 @@ def make_combinations(combine: Combine, cases: Sequence[LoadCase]) -> tuple[Comb
     other accompanies it (EN 1990 6.4.3.2, 6.5.3). The fullest combination of a leading action comes first. Raises
     InputError where there would be more than MOST_COMBINATIONS.
     """
-    made: list[Combination] = []
-    own = combine.annex is not None and combine.expression != "ACI 318" and document_of(combine.annex)
-    national = f", {combine.annex}" if own else ""
+    combinations: list[Combination] = []
+    document = combine.annex is not None and combine.expression != "ACI 318" and document_of(combine.annex)
+    national = f", {combine.annex}" if document else ""
     for limit_state in combine.sets:
         seen: set[Terms] = set()
         for rule, terms in _all_terms(combine, cases, limit_state):
@@ -84,13 +84,13 @@ def make_combinations(combine: Combine, cases: Sequence[LoadCase]) -> tuple[Comb
                 continue
             seen.add(terms)
             name = f"{_TITLES[limit_state]} {len(seen)}"
-            made.append(Combination(name=name, limit_state=limit_state, factors=terms, rule=rule + national))
-            if len(made) > MOST_COMBINATIONS:
+            combinations.append(Combination(name=name, limit_state=limit_state, factors=terms, rule=rule + national))
+            if len(combinations) > MOST_COMBINATIONS:
                 variable = sum(case.action == "variable" for case in cases)
                 expected = f"at most {MOST_COMBINATIONS} combinations"
                 hint = "write the combinations that matter by hand, or put actions that exclude each other in a group"
                 raise InputError([Issue("combine", f"{variable} variable actions", expected, hint)])
-    return tuple(made)
+    return tuple(combinations)
 
 
 def _all_terms(combine: Combine, cases: Sequence[LoadCase], limit_state: LimitState) -> Iterator[tuple[str, Terms]]:
@@ -219,14 +219,14 @@ def check_combine(
     if missing:
         return
     try:
-        made = {combination.name for combination in make_combinations(combine, cases)}
+        generated = {combination.name for combination in make_combinations(combine, cases)}
     except InputError as error:
         for issue in error.issues:
             yield RelativeIssue(("combine",), issue.found, issue.expected, issue.hint)
         return
-    if not made:
+    if not generated:
         yield RelativeIssue(("combine",), "no combination that is not nothing", "factors and shares that are not all 0")
     for position, combination in enumerate(combinations):
-        if combination.name in made:
+        if combination.name in generated:
             found = f"{describe(combination.name)}, which combine makes as well"
             yield RelativeIssue(("combinations", position, "name"), found, "a unique name")

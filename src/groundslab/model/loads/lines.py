@@ -37,8 +37,8 @@ def _check_place(
             return
         yield from check_line(points, shape, along, f"all of a shape's edge bears the same {value}")
         return
-    given = {"points": points, "shape": shape, **{name: what for name, what in along.items() if name != end}}
-    for name in (name for name, what in given.items() if what is not None):
+    keys = {"points": points, "shape": shape, **{name: what for name, what in along.items() if name != end}}
+    for name in (name for name, what in keys.items() if what is not None):
         yield RelativeIssue((name,), f"{name} together with a wall", "one of them", "the wall says where its load acts")
 
 

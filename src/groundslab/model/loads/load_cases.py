@@ -204,8 +204,8 @@ class Combine(Section):
     def by_annex(self, annex: str) -> Self:
         """Return the rules with the factors of a national annex, but for those given, and for rules of ACI 318."""
         defaults = {name: type(self).model_fields[name].default for name in NATIONAL}
-        own = {} if self.expression == "ACI 318" else factors_of(annex)
-        return self.with_derived({**defaults, **own, "annex": None if annex == "recommended" else annex})
+        of_annex = {} if self.expression == "ACI 318" else factors_of(annex)
+        return self.with_derived({**defaults, **of_annex, "annex": None if annex == "recommended" else annex})
 
 
 def _add_case(name: str) -> tuple[Repair, ...]:
@@ -222,11 +222,11 @@ def check_case_names(
 ) -> Iterator[RelativeIssue]:
     """Find items of a list without a case although there are cases, or with an unknown one."""
     names = [case.name for case in cases]
-    known = set(names)
+    known_names = set(names)
     for position, name in enumerate(named):
         if name is None or (not name and not names):
             continue
-        if name not in known:
+        if name not in known_names:
             expected = one_of(names) if names else "no case, as there are no [[cases]]"
             found = describe(name) if name else "no case"
             place, hint = (part, position, key), suggestion(name, names)
@@ -243,10 +243,10 @@ def check_factors(combinations: tuple[Combination, ...], cases: tuple[LoadCase, 
         expected, repairs = "none, as there are no [[cases]] to combine", (remove(("combinations",)),)
         yield RelativeIssue(("combinations",), describe(combinations), expected, repairs=repairs)
         return
-    known = set(names)
+    known_names = set(names)
     for position, combination in enumerate(combinations):
         for name, _ in combination.factors:
-            if name not in known:
+            if name not in known_names:
                 place = ("combinations", position, "factors", name)
                 hint, nearest = suggestion(name, names), find_nearest(name, names)
                 free = nearest is not None and nearest not in dict(combination.factors)

@@ -172,13 +172,13 @@ def _check_position(
     column: str,
 ) -> Iterator[RelativeIssue]:
     size = {"width_x": width_x, "width_y": width_y, "diameter": diameter, "angle": angle or None}
-    given = {"x": x, "y": y, **size}
+    keys = {"x": x, "y": y, **size}
     if column:
-        for name in (name for name, value in given.items() if value is not None):
+        for name in (name for name, value in keys.items() if value is not None):
             hint = "the column says where its load acts"
             yield RelativeIssue((name,), f"{name} together with a column", "one of them", hint)
     else:
-        for name in (name for name in ("x", "y") if given[name] is None):
+        for name in (name for name in ("x", "y") if keys[name] is None):
             yield RelativeIssue((name,), "nothing", 'a position such as "1.5 m", or the name of a column')
 
 

@@ -232,9 +232,9 @@ def absent_forces(
     plate: Plate, patterns: tuple[AnyPattern, ...], moves: tuple[Move, ...], plates: tuple[FurtherPlate, ...] = ()
 ) -> Iterator[tuple[int, str]]:
     """Yield the position in the list of each path on which forces stand beside the plate, and a remark on them."""
-    known, covered = {pattern.name: pattern for pattern in patterns}, PlateRegion(plate, plates)
+    by_name, covered = {pattern.name: pattern for pattern in patterns}, PlateRegion(plate, plates)
     for position, move in enumerate(moves):
-        pattern, places = known[move.pattern], stations(move)
+        pattern, places = by_name[move.pattern], stations(move)
         beside = [
             len(pattern.forces()) - len(loads_on_plate(covered, point_loads(pattern, station, move.case)))
             for station in places
@@ -286,19 +286,19 @@ def check_patterns(
     """Find patterns without a unique name, moves of unknown patterns and cases, places off the plate."""
     yield from check_names("patterns", [pattern.name for pattern in patterns], needed=True)
     yield from check_case_names("moves", "case", [move.case for move in moves], cases)
-    known, covered = {pattern.name: pattern for pattern in patterns}, PlateRegion(plate, plates)
+    by_name, covered = {pattern.name: pattern for pattern in patterns}, PlateRegion(plate, plates)
     for number, move in enumerate(moves):
-        if move.pattern not in known:
-            expected = one_of(list(known)) if known else "a pattern, and [[patterns]] that says what it is"
-            place, hint = ("moves", number, "pattern"), suggestion(move.pattern, list(known))
-            repairs = use_nearest(place, move.pattern, known)
+        if move.pattern not in by_name:
+            expected = one_of(list(by_name)) if by_name else "a pattern, and [[patterns]] that says what it is"
+            place, hint = ("moves", number, "pattern"), suggestion(move.pattern, list(by_name))
+            repairs = use_nearest(place, move.pattern, by_name)
             yield RelativeIssue(place, describe(move.pattern), expected, hint, repairs)
             continue
         if move.travels and not cases:
             yield RelativeIssue(("moves", number, "case"), "a path without a case", "[[cases]], one of which moves")
-        if _too_many(move) or _count_forces(known[move.pattern], move) > MOST_FORCES:
+        if _too_many(move) or _count_forces(by_name[move.pattern], move) > MOST_FORCES:
             continue
-        yield from _check_places(covered, known[move.pattern], move, number)
+        yield from _check_places(covered, by_name[move.pattern], move, number)
     paths = [(move.case, move.name) for move in moves if move.travels]
     for number, move in enumerate(moves):
         if move.travels and paths.count((move.case, move.name)) > 1:
@@ -340,9 +340,9 @@ def check_positions(
     combine: Combine | None,
 ) -> Iterator[RelativeIssue]:
     """Find more than MOST_COMBINATIONS combinations at all positions, and more than MOST_FORCES forces."""
-    known = {pattern.name: pattern for pattern in patterns}
-    sound = [move for move in moves if move.pattern in known and not _too_many(move)]
-    total = sum(_count_forces(known[move.pattern], move) for move in sound)
+    by_name = {pattern.name: pattern for pattern in patterns}
+    sound = [move for move in moves if move.pattern in by_name and not _too_many(move)]
+    total = sum(_count_forces(by_name[move.pattern], move) for move in sound)
     if total > MOST_FORCES:
         expected = f"at most {MOST_FORCES:,} forces at all positions"
         yield RelativeIssue(("moves",), f"{total:,} forces at all positions", expected)
@@ -366,13 +366,13 @@ def _listed(
     """Return the factors of all combinations before positions; of automatic ones that cannot be made, none."""
     if not combinations and combine is None:
         return [((case.name, 1.0),) for case in cases]
-    made: tuple[Combination, ...] = ()
+    generated: tuple[Combination, ...] = ()
     if combine is not None:
         try:
-            made = make_combinations(combine, cases)
+            generated = make_combinations(combine, cases)
         except InputError:  # which its own check tells
-            made = ()
-    return [combination.factors for combination in (*combinations, *made)]
+            generated = ()
+    return [combination.factors for combination in (*combinations, *generated)]
 
 
 def _count(factors: list[tuple[tuple[str, float], ...]], positions: Mapping[str, int]) -> int:

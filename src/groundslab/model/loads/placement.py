@@ -116,10 +116,10 @@ def check_load_walls(loads: tuple[AnyLoad, ...], walls: tuple[Wall, ...]) -> Ite
 
 def _check_names_of(loads: tuple[AnyLoad, ...], key: str, names: list[str]) -> Iterator[RelativeIssue]:
     """Find loads on unknown columns, or on unknown walls."""
-    known = {"", *names}
+    known_names = {"", *names}
     for position, load in enumerate(loads):
         name = getattr(load, key, "")
-        if name not in known:
+        if name not in known_names:
             expected = one_of(names) if names else f"a {key}, and [[{key}s]] that says where it is"
             place = ("loads", position, key)
             hint, repairs = suggestion(name, names), use_nearest(place, name, names)
@@ -139,14 +139,14 @@ def _parts_by_thickness(
     zones = [(zone.shape.ring().polygon(CHORD * max(plate.sides)), zone.thickness) for zone in plate.zones]
     share = beam.length / axis.length
     met = (axis.intersection(zone.boundary) for zone, _ in zones)
-    places = (part for each in met for part in getattr(each, "geoms", [each]) if not part.is_empty)
+    places = (part for shape in met for part in getattr(shape, "geoms", [shape]) if not part.is_empty)
     cuts = {float(axis.project(Point(place))) * share for part in places for place in (part.coords[0], part.coords[-1])}
     near = NO_PART * beam.length
     ways = [way[0], *(cut for cut in sorted(cuts) if way[0] + near < cut < way[1] - near), way[1]]
     for start, end in pairwise(ways):
         middle = axis.interpolate((start + end) / 2 / share)
-        there = [thickness for zone, thickness in zones if zone.covers(middle)]
-        yield (there[-1] if there else None) or plate.thickness, (start, end)
+        thicknesses = [thickness for zone, thickness in zones if zone.covers(middle)]
+        yield (thicknesses[-1] if thicknesses else None) or plate.thickness, (start, end)
 
 
 def weights_of(

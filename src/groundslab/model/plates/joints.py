@@ -131,17 +131,17 @@ def check_joints(
     plate: Plate, plates: tuple[FurtherPlate, ...], joints: tuple[AnyJoint, ...]
 ) -> Iterator[RelativeIssue]:
     """Find joints of unknown plates, or of plates that share no line, and second joints of two plates."""
-    known = {slab.name: slab for slab in list_plates(plate, plates) if slab.name}
+    by_name = {slab.name: slab for slab in list_plates(plate, plates) if slab.name}
     x0, x1, y0, y1 = bounds_of(plate, plates)
     size = max(x1 - x0, y1 - y0)
     seen = set[frozenset[str]]()
     for position, joint in enumerate(joints):
-        unknown = [(side, name) for side, name in enumerate(joint.between) if name not in known]
+        unknown = [(side, name) for side, name in enumerate(joint.between) if name not in by_name]
         for side, name in unknown:
-            expected = one_of(list(known)) if known else "a plate, and names of [plate] and [[plates]]"
+            expected = one_of(list(by_name)) if by_name else "a plate, and names of [plate] and [[plates]]"
             plate_place = ("joints", position, "between", side)
-            hint = suggestion(name, list(known))
-            others = [name for name in known if name not in joint.between]
+            hint = suggestion(name, list(by_name))
+            others = [name for name in by_name if name not in joint.between]
             repairs = (*use_nearest(plate_place, name, others), remove(("joints", position), label="remove the joint"))
             yield RelativeIssue(plate_place, describe(name), expected, hint, repairs)
         pair = frozenset(joint.between)
@@ -152,6 +152,6 @@ def check_joints(
         if pair in seen:
             repairs = (remove(("joints", position), label="remove the joint"),)
             yield RelativeIssue(place, f"{words} again", "one joint between two plates", repairs=repairs)
-        elif not shared_line(*(known[name] for name in joint.between)).length > TOO_CLOSE * size:
+        elif not shared_line(*(by_name[name] for name in joint.between)).length > TOO_CLOSE * size:
             yield RelativeIssue(place, f"{words}, which share no line", "plates whose outlines share a line")
         seen.add(pair)

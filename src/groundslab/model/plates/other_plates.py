@@ -115,8 +115,8 @@ def check_plates(plate: Plate, plates: tuple[FurtherPlate, ...], joints: Sequenc
     size = max(x1 - x0, y1 - y0)
     joined = {frozenset(joint.between) for joint in joints}
     for first, second in combinations(range(1 + len(plates)), 2):
-        one, other = list_plates(plate, plates)[first], plates[second - 1]
-        meeting = _find_meeting(one, other, size, frozenset((one.name, other.name)) in joined)
+        one_plate, other = list_plates(plate, plates)[first], plates[second - 1]
+        meeting = _find_meeting(one_plate, other, size, frozenset((one_plate.name, other.name)) in joined)
         if meeting is not None:
             name = "the first plate" if first == 0 else f"plates[{first}]"
             expected = f"plates next to each other, at least {TOO_CLOSE * size:.3g} m apart or joined"

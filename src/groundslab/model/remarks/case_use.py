@@ -84,8 +84,8 @@ def case_uses(model: Model, combinations: Sequence[Combination]) -> tuple[CaseUs
     for case in model.cases:
         by_state = {state: factors[case.name, state] for state in totals if (case.name, state) in factors}
         acting = tuple(
-            Acting(state, len(there), totals[state], min(there.values()), max(there.values()))
-            for state, there in by_state.items()
+            Acting(state, len(of_state), totals[state], min(of_state.values()), max(of_state.values()))
+            for state, of_state in by_state.items()
         )
         uses.append(CaseUse(case, loads[case.name], acting, case.name in named))
     return tuple(uses)

@@ -278,13 +278,13 @@ def _on_repeated(model: Model, uses: Sequence[CaseUse], combinations: Sequence[C
     repeated: dict[str, str] = {}
     for combination in combinations:
         factors = frozenset((name, factor) for name, factor in combination.factors if factor and name not in empty)
-        known = first.setdefault((combination.limit_state, factors), combination.name)
-        if known != combination.name:
-            repeated[combination.name] = known
+        first_name = first.setdefault((combination.limit_state, factors), combination.name)
+        if first_name != combination.name:
+            repeated[combination.name] = first_name
     if repeated:
         pairs = [
-            Message("{name} is the same as {other}", name=quote(name), other=quote(known))
-            for name, known in repeated.items()
+            Message("{name} is the same as {other}", name=quote(name), other=quote(first_name))
+            for name, first_name in repeated.items()
         ]
         more = Message(" and {number} more", number=len(pairs) - MOST_NAMED) if len(pairs) > MOST_NAMED else ""
         key = "combinations" if model.combinations else "combine" if model.combine is not None else "cases"
@@ -302,8 +302,8 @@ def _on_combine(model: Model, uses: Sequence[CaseUse], combinations: Sequence[Co
     """
     if model.combine is None:
         return
-    there = {combination.limit_state for combination in combinations}
-    for state in (state for state in model.combine.sets if state not in there):
+    states = {combination.limit_state for combination in combinations}
+    for state in (state for state in model.combine.sets if state not in states):
         yield Remark(
             ("combine", "sets"),
             Message("{name} yields no combination: all its factors are 0", name=quote(state)),

@@ -35,8 +35,8 @@ def near_places(places: Sequence[Place], nodes: Array, thickness: Array) -> Flag
     reach = REACH * thickness * (1 + 1e-9)
     most = reach.max(initial=0.0)
     for x, y in places:
-        some = numbers_within(nodes, (x - most, x + most, y - most, y + most))
-        near[some[np.linalg.norm(nodes[some] - (x, y), axis=1) <= reach[some]]] = True
+        inside = numbers_within(nodes, (x - most, x + most, y - most, y + most))
+        near[inside[np.linalg.norm(nodes[inside] - (x, y), axis=1) <= reach[inside]]] = True
     return near
 
 

@@ -80,15 +80,15 @@ class _Quantity(NamedTuple):
 
 def unusual_quantities(model: Model) -> Iterator[Unusual]:
     """Yield the quantities far off what is usual, one for each key and side, and zones far from their plate's."""
-    found = dict[tuple[str, bool], list[_Quantity]]()
-    for kind, each in _quantities(model, ()):
-        low, high = each.usual
+    unusual = dict[tuple[str, bool], list[_Quantity]]()
+    for kind, quantity in _quantities(model, ()):
+        low, high = quantity.usual
         # 0 is no load, or nothing that a unit could have been mistaken for
-        if 0 < each.size < low / FAR or each.size > high * FAR:
-            found.setdefault((kind, each.size < low), []).append(each)
-    for (_, below), same in found.items():
+        if 0 < quantity.size < low / FAR or quantity.size > high * FAR:
+            unusual.setdefault((kind, quantity.size < low), []).append(quantity)
+    for (_, below), same in unusual.items():
         yield _unusual(same, below)
-    seen = {each.path for same in found.values() for each in same}
+    seen = {quantity.path for same in unusual.values() for quantity in same}
     plates: tuple[tuple[tuple[str | int, ...], float, tuple[Zone, ...]], ...] = (
         (("plate",), model.plate.thickness, model.plate.zones),
         *((("plates", number), plate.thickness, plate.zones) for number, plate in enumerate(model.plates)),
@@ -100,10 +100,12 @@ def unusual_quantities(model: Model) -> Iterator[Unusual]:
                 continue
             ratio = zone.thickness / thickness
             if not 1 / FAR_FROM_PLATE <= ratio <= FAR_FROM_PLATE:
-                where, own, slab = _location(place), show(zone.thickness, "length"), show(thickness, "length")
+                where, of_zone, slab = _location(place), show(zone.thickness, "length"), show(thickness, "length")
                 yield Unusual(
                     place,
-                    Message("{where}: {own} in a plate of {slab}; is the unit right?", where=where, own=own, slab=slab),
+                    Message(
+                        "{where}: {own} in a plate of {slab}; is the unit right?", where=where, own=of_zone, slab=slab
+                    ),
                 )
 
 
@@ -156,5 +158,5 @@ def _within(value: Any, path: tuple[str | int, ...]) -> Iterator[tuple[str, _Qua
     if isinstance(value, Section):
         yield from _quantities(value, path)
     elif isinstance(value, tuple):
-        for position, each in enumerate(value):
-            yield from _within(each, (*path, position))
+        for position, item in enumerate(value):
+            yield from _within(item, (*path, position))

@@ -93,8 +93,8 @@ def _check_flange(effective_width: float | None, eccentric: bool) -> Iterator[Re
 
 def _check_eccentricity(area: float | None, eccentricity: float | None) -> Iterator[RelativeIssue]:
     if (area is None) != (eccentricity is None):
-        lacking, there = ("area", "an eccentricity") if area is None else ("eccentricity", "an area")
-        yield RelativeIssue((lacking,), f"nothing, with {there}", "both or neither", "")
+        lacking, present = ("area", "an eccentricity") if area is None else ("eccentricity", "an area")
+        yield RelativeIssue((lacking,), f"nothing, with {present}", "both or neither", "")
 
 
 class RibSection(_Rectangle):
@@ -296,9 +296,9 @@ class Beam(Section):
         Those of a rib that is not eccentric are what it adds to the plate: E I is that of the T or L about its
         centroid, less that of the flange alone. E A counts of eccentric ones alone.
         """
-        own, section = E if self.E is None else self.E, self.section
-        G = own / (2 * (1 + (nu if self.nu is None else self.nu)))
-        bending = own * section.second_moment if self.eccentric else self.added_bending(E, thickness)
+        modulus, section = E if self.E is None else self.E, self.section
+        G = modulus / (2 * (1 + (nu if self.nu is None else self.nu)))
+        bending = modulus * section.second_moment if self.eccentric else self.added_bending(E, thickness)
         area = (section.area or 0.0) if self.eccentric else 0.0
         share = self.stiffness
         J = section.torsion_constant if self.torsion == "resisted" else 0.0
@@ -306,15 +306,15 @@ class Beam(Section):
             share * bending,
             share * G * J,
             share * G * section.shear_area,
-            share * own * area,
+            share * modulus * area,
         )
 
     def added_bending(self, E: float, thickness: float) -> float:
         """Return E I [N m2] that it adds to a plate with E [Pa] and a thickness [m], a rib with its effective width."""
-        own, section = E if self.E is None else self.E, self.section
-        bending = own * section.second_moment
+        modulus, section = E if self.E is None else self.E, self.section
+        bending = modulus * section.second_moment
         if isinstance(section, RibSection):
-            rib, flange = own * section.area, E * section.flange_width * thickness
+            rib, flange = modulus * section.area, E * section.flange_width * thickness
             bending += rib * flange / (rib + flange) * ((thickness + section.height) / 2) ** 2
         return bending
 

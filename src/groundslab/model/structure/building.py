@@ -113,21 +113,21 @@ def _check_storeys(
             if storey > len(storeys) > 0:
                 yield RelativeIssue((key, number, "storeys", position), f"{storey}", f"at most {len(storeys)}")
     joined = {name for beam in beams for name in beam.through}
-    known = set[tuple[str, int]]()
-    for number, own in enumerate(columns):
-        for position, name in enumerate(own.names):
+    columns_between = set[tuple[str, int]]()
+    for number, of_building in enumerate(columns):
+        for position, name in enumerate(of_building.names):
             place = ("columns", number, "names", position)
-            both = {(name, storey) for storey in own.storeys or range(1, len(storeys) + 1)}
+            both = {(name, storey) for storey in of_building.storeys or range(1, len(storeys) + 1)}
             if beams and name not in joined:
                 yield RelativeIssue(place, f"{quote(name)}, which no beam joins", "a column of the frame")
-            elif both & known:
+            elif both & columns_between:
                 yield RelativeIssue(place, f"{quote(name)} with a second section", "one section in each storey")
-            known |= both
+            columns_between |= both
     for number, beam in enumerate(beams):
-        for position, (one, other) in enumerate(pairwise(beam.through)):
-            if one == other:
+        for position, (lower, other) in enumerate(pairwise(beam.through)):
+            if lower == other:
                 place = ("beams", number, "through", position + 1)
-                yield RelativeIssue(place, f"{quote(one)} twice", "the column at the other end")
+                yield RelativeIssue(place, f"{quote(lower)} twice", "the column at the other end")
 
 
 def _check_matrix(
@@ -262,19 +262,19 @@ def bases(
     building: Building, columns: Sequence[Column], walls: Sequence[Wall], plates: Sequence[AnyPlate], chord: float
 ) -> tuple[Base, ...]:
     """Return where a building stands, arcs of footprints as chords at most so far off [m]."""
-    known = {column.name: column for column in columns}
+    by_name = {column.name: column for column in columns}
     standing = {
         wall.name: wall for wall in place_walls([wall for wall in walls if wall.name in building.names], plates)
     }
-    found = []
+    supports = []
     for name in building.names:
-        if name in known:
-            column = known[name]
-            found.append(Base(name, (column.x, column.y), column.ring().polygon(chord), column=column))
+        if name in by_name:
+            column = by_name[name]
+            supports.append(Base(name, (column.x, column.y), column.ring().polygon(chord), column=column))
         elif name in standing:
             area = standing[name].area(chord)
-            found.append(Base(name, (area.centroid.x, area.centroid.y), area, wall=standing[name]))
-    return tuple(found)
+            supports.append(Base(name, (area.centroid.x, area.centroid.y), area, wall=standing[name]))
+    return tuple(supports)
 
 
 def check_building(
@@ -320,12 +320,12 @@ def _check_names(building: Building, columns: tuple[Column, ...], walls: tuple[W
               for number, beam in enumerate(building.beams) for position, name in enumerate(beam.through)]  # fmt: skip
     named += [(("columns", number, "names", position), name, of_columns)
               for number, own in enumerate(building.columns) for position, name in enumerate(own.names)]  # fmt: skip
-    for place, name, known in named:
+    for place, name, known_names in named:
         where = ("building", *place)
-        if name not in known:
-            expected = one_of(known) if known else "a column or wall of the case"
+        if name not in known_names:
+            expected = one_of(known_names) if known_names else "a column or wall of the case"
             yield RelativeIssue(
-                where, describe(name), expected, suggestion(name, known), use_nearest(where, name, known)
+                where, describe(name), expected, suggestion(name, known_names), use_nearest(where, name, known_names)
             )
         elif name in of_columns and name in of_walls:
             yield RelativeIssue(where, f"{quote(name)}, a column and a wall", "a name that only one of them has")
@@ -350,21 +350,21 @@ def _storeys(building: Building, member: BuildingColumns | BuildingBeams) -> tup
 def _check_beams(building: Building, every: tuple[Base, ...]) -> Iterator[RelativeIssue]:
     """Find beams without a length between what they join."""
     at = {base.name: base for base in every}
-    known = set[tuple[frozenset[str], int]]()
+    beams_between = set[tuple[frozenset[str], int]]()
     for number, beam in enumerate(building.beams):
-        for position, (one, other) in enumerate(pairwise(beam.through)):
-            if one not in at or other not in at:
+        for position, (first, other) in enumerate(pairwise(beam.through)):
+            if first not in at or other not in at:
                 continue
             place = ("building", "beams", number, "through", position + 1)
-            between = {(frozenset((one, other)), storey) for storey in _storeys(building, beam)}
-            if between & known:
-                found = f"a second beam between {quote(one)} and {quote(other)}"
+            between = {(frozenset((first, other)), storey) for storey in _storeys(building, beam)}
+            if between & beams_between:
+                found = f"a second beam between {quote(first)} and {quote(other)}"
                 yield RelativeIssue(place, found, "one beam on each storey", "one section may stand for both")
-            known |= between
-            way = np.subtract(at[other].place, at[one].place)
-            free = way + at[other].arm(-way) - at[one].arm(way) if way.any() else way
+            beams_between |= between
+            way = np.subtract(at[other].place, at[first].place)
+            free = way + at[other].arm(-way) - at[first].arm(way) if way.any() else way
             if not free @ way > 0:
-                found = f"no length from {quote(one)} to {quote(other)}"
+                found = f"no length from {quote(first)} to {quote(other)}"
                 hint = "one of them stands where the other one does"
                 yield RelativeIssue(place, found, "a beam", hint)
 
@@ -406,13 +406,13 @@ def frame_lines(building: Building | None, bases: Sequence[Base]) -> tuple[tuple
 
     A beam begins on a wall where a frame has it.
     """
-    known = {base.name: base for base in bases}
+    by_name = {base.name: base for base in bases}
     lines = []
     for beams in building.beams if building else ():
         line: list[Place] = []
-        for one, other in pairwise(known[name] for name in beams.through):
-            way = np.subtract(other.place, one.place)
-            ends = (one.place + one.arm(way), other.place + other.arm(-way))
+        for first, other in pairwise(by_name[name] for name in beams.through):
+            way = np.subtract(other.place, first.place)
+            ends = (first.place + first.arm(way), other.place + other.arm(-way))
             line += [(float(x), float(y)) for x, y in ends]
         lines.append(tuple(dict.fromkeys(line)))
     return tuple(lines)

@@ -112,8 +112,8 @@ def overlapping_columns(columns: tuple[Column, ...]) -> Iterator[str]:
     if len(columns) < 2:
         return
     shapes = [column.to_shapely(1e-3 * math.sqrt(column.ring().area)) for column in columns]
-    one, other = STRtree(shapes).query(shapes, predicate="intersects")
-    for i, j in sorted(zip(one.tolist(), other.tolist(), strict=True)):
+    first, other = STRtree(shapes).query(shapes, predicate="intersects")
+    for i, j in sorted(zip(first.tolist(), other.tolist(), strict=True)):
         shared = shapes[i].intersection(shapes[j]).area if i < j else 0.0
         if shared > SAME * shapes[i].area:
             yield f"columns {columns[i].name} and {columns[j].name} overlap by {shared:.3g} m2 of their footprints"

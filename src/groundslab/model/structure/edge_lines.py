@@ -97,7 +97,7 @@ def _along_one(ring: Ring, position: int, thickness: float) -> EdgeLine:
         if edge.sweep > 0 and edge.radius <= thickness:
             raise NoRoomError(number)
         return _line_along(parallel(edge, thickness / 2))
-    cut = [_overhang(one, other, thickness) for one, other in ((before, edge), (edge, after))]
+    cut = [_overhang(first, other, thickness) for first, other in ((before, edge), (edge, after))]
     if sum(cut) >= edge.length:
         raise NoRoomError(number)
     axis = parallel(edge, thickness / 2)

@@ -49,8 +49,8 @@ def check_line(
         yield RelativeIssue(("points",), "nothing", f"the line's points, or a shape whose edge is {edge}")
     if shape is None:
         return
-    for name, given in {"points": points, **along}.items():
-        if given is not None:
+    for name, values in {"points": points, **along}.items():
+        if values is not None:
             yield RelativeIssue((name,), f"{name} together with a shape", "one of them", hint)
 
 

@@ -51,7 +51,9 @@ def wall_beams(wall: Wall) -> tuple[Beam, ...]:
     parts = []
     for start, end in pairwise(cuts):
         middle = (start + end) / 2
-        open_there = max((each.height for each in wall.openings if each.start < middle < each.end), default=0.0)
+        open_there = max(
+            (opening.height for opening in wall.openings if opening.start < middle < opening.end), default=0.0
+        )
         alone = len(cuts) == 2
         points, bulges = part_of_line(wall.edges, start, end)
         parts.append(
@@ -170,8 +172,8 @@ def _with_names(found: str, names: dict[int, tuple[str, int]]) -> str:
     """Return what was found with the names of the case for lines of the plan, by their numbers from 1."""
 
     def name(match: re.Match[str]) -> str:
-        kind, own = names.get(int(match[1]), ("supports", int(match[1]) - 1))
-        return f"{kind}[{own + 1}]"
+        kind, number = names.get(int(match[1]), ("supports", int(match[1]) - 1))
+        return f"{kind}[{number + 1}]"
 
     return re.sub(r"plate\.lines\[(\d+)\]", name, found)
 
@@ -183,9 +185,9 @@ def _check_curves(plates: tuple[AnyPlate, ...], beams: tuple[Beam, ...]) -> Iter
         if beam.shape is None or beam.path is not None or (ring := beam.shape.ring()) in edges:
             continue
         chord = FLAT * max(max(each.sides) for each in edges)
-        own = ring.polygon(chord).exterior
+        hull = ring.polygon(chord).exterior
         near = TOO_CLOSE * max(max(each.sides) for each in edges)
-        if any(own.distance(edge.polygon(chord).exterior) < near for edge in edges):
+        if any(hull.distance(edge.polygon(chord).exterior) < near for edge in edges):
             expected = f"a curve at least {near:.3g} m from the plate's edges, or all along one"
             found, hint = (
                 "a curve with arcs that touches an edge of the plate",
@@ -197,8 +199,8 @@ def _check_curves(plates: tuple[AnyPlate, ...], beams: tuple[Beam, ...]) -> Iter
 def _at_place(issue: RelativeIssue, where: list[tuple[str, int]]) -> RelativeIssue:
     """Return an issue of a member at the beam or the wall that it is."""
     _, number, *rest = issue.place
-    kind, own = where[int(number)]
-    return replace(issue, place=(kind, own, *(rest if kind == "beams" else ())))
+    kind, position = where[int(number)]
+    return replace(issue, place=(kind, position, *(rest if kind == "beams" else ())))
 
 
 def _check_on_plates(region: PlateRegion, beams: tuple[Beam, ...]) -> Iterator[RelativeIssue]:
@@ -244,11 +246,11 @@ def _check_joints(
     """Find beams along joints, of which nobody knows which plate they stiffen."""
     from shapely import Point, get_parts
 
-    known = {plate.name: plate for plate in plates}
+    by_name = {plate.name: plate for plate in plates}
     for joint in joints:
-        if not all(name in known for name in joint.between):
+        if not all(name in by_name for name in joint.between):
             continue
-        line = shared_line(*(known[name] for name in joint.between))
+        line = shared_line(*(by_name[name] for name in joint.between))
         for number, beam in enumerate(beams):
             near = TOO_CLOSE * line.length
             shared = line.buffer(near, cap_style="flat").intersection(beam.to_shapely(near))
@@ -265,11 +267,11 @@ def _check_apart(beams: tuple[Beam, ...], near: float) -> Iterator[RelativeIssue
         if twice > 4 * near:
             found = f"a beam that runs back along {twice:.3g} m of itself"
             yield RelativeIssue(("beams", number), found, "one beam at each place", "leave that part out")
-    for (one, a), (other, b) in itertools.combinations(enumerate(axes), 2):
+    for (first, a), (other, b) in itertools.combinations(enumerate(axes), 2):
         if a.distance(b) > near:
             continue
         shared = b.intersection(a.buffer(near, cap_style="flat")).length
         if shared > 4 * near and shared > near / FLATTEST:
-            found = f"a beam along {shared:.3g} m of {quote(beams[one].name)}"
+            found = f"a beam along {shared:.3g} m of {quote(beams[first].name)}"
             hint = "one beam with a section that stands for both"
             yield RelativeIssue(("beams", other), found, "one beam at each place", hint)

@@ -24,16 +24,16 @@ Ways = tuple[tuple[float, float], ...]
 def ways_on_plates(beam: Beam, plate: AnyPlate, plates: tuple[FurtherPlate, ...] = ()) -> Ways:
     """Return the parts of a beam on the plates, from way to way along it [m], one after the other."""
     region = get_plate_region(plate, plates)
-    found = list[tuple[float, float]]()
+    ways = list[tuple[float, float]]()
     starts = accumulate((edge.length for edge in beam.edges), initial=0.0)
     for edge, low in zip(beam.edges, starts, strict=False):
         for start, end in parts_on_plates(region, edge):
             part = low + start * edge.length, low + end * edge.length
-            if found and part[0] - found[-1][1] <= NO_PART * beam.length:
-                found[-1] = found[-1][0], part[1]
+            if ways and part[0] - ways[-1][1] <= NO_PART * beam.length:
+                ways[-1] = ways[-1][0], part[1]
             else:
-                found.append(part)
-    return tuple(found)
+                ways.append(part)
+    return tuple(ways)
 
 
 def spans_of(beam: Beam, plate: AnyPlate, plates: tuple[FurtherPlate, ...] = ()) -> Ways:

@@ -97,15 +97,17 @@ def wall_ends(walls: Sequence[Wall], spans: Mapping[str, Ways] | None = None) ->
 
     Where a wall spans an opening of the plate, from way to way along it [m] by its name, it ends at both edges.
     """
-    known = spans or {}
-    runs = [part for wall in walls for run in _runs(wall) for part in _beside(run, wall, known.get(wall.name, ()))]
+    known_spans = spans or {}
+    runs = [
+        part for wall in walls for run in _runs(wall) for part in _beside(run, wall, known_spans.get(wall.name, ()))
+    ]
     tips = [(number, tip) for number, run in enumerate(runs) for tip in run.tips]
     boxes = np.array([get_bounds(run.edges) for run in runs]).reshape(-1, 2, 2)
-    found = [end for group in _groups(tips) for end in _ends([tips[i] for i in group], runs, boxes)]
-    corners = Counter(end.walls for end in found if end.kind == "corner")
+    found_ends = [end for group in _groups(tips) for end in _ends([tips[i] for i in group], runs, boxes)]
+    corners = Counter(end.walls for end in found_ends if end.kind == "corner")
     counted = Counter[str]()
     numbered = []
-    for end in found:
+    for end in found_ends:
         if end.kind == "corner" and corners[end.walls] > 1:
             counted[end.walls] += 1
             numbered.append(replace(end, number=counted[end.walls]))
@@ -123,14 +125,14 @@ def _runs(wall: Wall) -> Iterator[_Run]:
     around = [number + len(edges) for number in corners[:1]]
     bounds = [*corners, *around] if wall.closed else [0, *corners, len(edges)]
     for first, last in pairwise(bounds):
-        some = tuple(edges[number % len(edges)] for number in range(first, last))
-        length = sum(edge.length for edge in some)
+        run_edges = tuple(edges[number % len(edges)] for number in range(first, last))
+        length = sum(edge.length for edge in run_edges)
         start, end = (float(ways[first] / ways[-1]), float(ways[(last - 1) % len(edges) + 1] / ways[-1]))
         tips = (
-            WallLeg(wall.name, wall.thickness, some[0].start, some[0].direction(0.0), length, start),
-            WallLeg(wall.name, wall.thickness, some[-1].end, some[-1].direction(1.0) + math.pi, length, end),
+            WallLeg(wall.name, wall.thickness, run_edges[0].start, run_edges[0].direction(0.0), length, start),
+            WallLeg(wall.name, wall.thickness, run_edges[-1].end, run_edges[-1].direction(1.0) + math.pi, length, end),
         )
-        yield _Run(wall.thickness, some, tips)
+        yield _Run(wall.thickness, run_edges, tips)
 
 
 def _beside(run: _Run, wall: Wall, spans: Ways) -> Iterator[_Run]:

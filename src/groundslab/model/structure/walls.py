@@ -55,8 +55,8 @@ def _check_place(
             return
         yield from check_line(points, shape, {"bulges": bulges or None}, "a closed curve has no ends", "the axis")
         return
-    given = {"points": points, "bulges": bulges or None, "shape": shape}
-    for name in (name for name, what in given.items() if what is not None):
+    keys = {"points": points, "bulges": bulges or None, "shape": shape}
+    for name in (name for name, what in keys.items() if what is not None):
         found, hint = f"{name} together with an edge", "the plate's edge says where the wall stands"
         yield RelativeIssue((name,), found, "one of them", hint, (remove((name,)),))
 

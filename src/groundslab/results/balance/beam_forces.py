@@ -52,19 +52,19 @@ def beam_results(model: Model, solution: Solution) -> tuple[BeamResult, ...]:
         return ()
     problem = solution.system.problem
     b = problem.beams
-    stations, own, (M, T, V, N) = _along(model, solution)
+    stations, forces, (M, T, V, N) = _along(model, solution)
     w = plate_settlement(solution.system, solution.U)[stations.node]
     w[stations.spans] = _settlements_of_spans(solution, np.column_stack([M, T, V, N])[stations.spans])
     e = b.eccentricity[stations.piece]
     M += e * N
-    whole = _shear_of_section(stations, b, own)
+    whole = _shear_of_section(stations, b, forces)
     whole = np.where((b.deep | b.spans)[stations.piece], V, whole)
-    found = []
+    beams = []
     for number, beam in enumerate(model.members):
         here = stations.beam == number
         each = (values[here] for values in (stations.place, stations.way, w, M, whole, T, N, e, V))
-        found.append(BeamResult(beam.name, *each))
-    return tuple(found)
+        beams.append(BeamResult(beam.name, *each))
+    return tuple(beams)
 
 
 def _shear_of_section(stations: Stations, b: Beams, own: Array) -> Array:
@@ -76,22 +76,22 @@ def _shear_of_section(stations: Stations, b: Beams, own: Array) -> Array:
     (x, y), (x_1, y_1) = b.along[:, 0].T, b.along[:, 1].T
     turn = np.arctan2(x * y_1 - y * x_1, x * x_1 + y * y_1) / b.length
     slope, bent = M_0.ravel()[stations.points], (turn[:, None] * T).ravel()[stations.points]
-    found: Array = (stations.slopes * slope - stations.weights * bent).sum(axis=1)
-    return found
+    shear: Array = (stations.slopes * slope - stations.weights * bent).sum(axis=1)
+    return shear
 
 
 def _settlements_of_spans(solution: Solution, forces: Array) -> Array:
     """Return the settlements [m] at the stations of spans, whose M, T, V and N are (k, 4)."""
     problem = solution.system.problem
     b, xy = problem.beams, problem.mesh.nodes
-    some = b.spans
-    if not some.any():
+    spans = b.spans
+    if not spans.any():
         return np.zeros(0)
-    u = beam_unknowns(problem, solution.U)[some, 0]
-    way = xy[b.sides[some, 1]] - xy[b.sides[some, 0]]
+    u = beam_unknowns(problem, solution.U)[spans, 0]
+    way = xy[b.sides[spans, 1]] - xy[b.sides[spans, 0]]
     t = way / np.linalg.norm(way, axis=1, keepdims=True)
-    of_sections = u[:, THETA] * (t * b.along[some, 0]).sum(axis=1)
-    slope = np.where(b.deep[some], of_sections, (u[:, 1:3] * t).sum(axis=1))
+    of_sections = u[:, THETA] * (t * b.along[spans, 0]).sum(axis=1)
+    slope = np.where(b.deep[spans], of_sections, (u[:, 1:3] * t).sum(axis=1))
     start = np.column_stack([u[:, 0], slope])
     at_start = forces[:: len(PARTS)]
     return settlements_within(b, problem.loading.on_spans, start, at_start, PARTS).ravel()
@@ -105,8 +105,8 @@ def squared_errors(model: Model, solution: Solution) -> Array:
     parabola between, c (s^2 - 1/3) with s = -1 .. 1, of which the integral of the square is 4 c^2 / 45 of the length.
     """
     b = solution.system.problem.beams
-    stations, own, recovered = _along(model, solution)
-    off = recovered.T[stations.of_piece] - np.einsum("ep,bpr->ber", TO_ENDS, own)
+    stations, forces, recovered = _along(model, solution)
+    off = recovered.T[stations.of_piece] - np.einsum("ep,bpr->ber", TO_ENDS, forces)
     c = 1.5 * off.mean(axis=1)
     rigidity = np.where(b.rigidity > 0, b.rigidity, np.inf)
     squares: Array = 4 / 45 * c**2 * b.length[:, None] / rigidity
@@ -122,11 +122,11 @@ def _along(model: Model, solution: Solution) -> tuple[Stations, Array, Array]:
     problem = solution.system.problem
     b = problem.beams
     stations = _stations(model, problem)
-    own = section_forces(b, problem.mesh.nodes, beam_unknowns(problem, solution.U))
-    recovered = np.einsum("kp,kpr->rk", stations.weights, own.reshape(-1, own.shape[-1])[stations.points])
+    forces = section_forces(b, problem.mesh.nodes, beam_unknowns(problem, solution.U))
+    recovered = np.einsum("kp,kpr->rk", stations.weights, forces.reshape(-1, forces.shape[-1])[stations.points])
     if b.spans.any():
         recovered[:, stations.spans] += forces_within(b, problem.loading.on_spans, PARTS).reshape(-1, 4).T
-    return stations, own, recovered
+    return stations, forces, recovered
 
 
 @made_once_by(lambda model, problem: (problem.mesh.nodes, model.loads))
@@ -173,8 +173,8 @@ def _goes_on(model: Model, problem: Problem) -> Flags:
     on_one_plate = np.append(False, b.sides[1:, 0] == b.sides[:-1, 1])
     same = on_one_plate & (np.diff(b.number, prepend=-1) == 0)
     beside_span = b.spans | np.append(False, b.spans[:-1])
-    found: Flags = b.smooth & same & ~beside_span & ~_meeting(model, problem)[b.sides[:, 0]]
-    return found
+    goes_on: Flags = b.smooth & same & ~beside_span & ~_meeting(model, problem)[b.sides[:, 0]]
+    return goes_on
 
 
 def _meeting(model: Model, problem: Problem) -> Flags:

@@ -29,14 +29,14 @@ def base_results(model: Model, solution: Solution, solver: str | None = None) ->
     moved = moved / np.where(above.way == 0, 1.0, above.length)
     force = force * np.where(above.way == 0, 1.0, above.length)
     changes = np.zeros((len(force), 0)) if solver is None else _changes_by_storeys(model, solution, above, solver)
-    found = []
+    bases = []
     for number, (name, place) in enumerate(zip(above.bases, places, strict=True)):
-        own = [np.flatnonzero((above.base == number) & (above.way == way)) for way in range(FIELDS)]
-        w, slope_x, slope_y = (moved[at] if len(at) else np.zeros(1) for at in own)
-        P, M_x, M_y = (force[at] if len(at) else np.zeros(1) for at in own)
-        by_storeys = changes[own[0]] if len(own[0]) else np.zeros((1, changes.shape[1]))
-        found.append(BaseResult(name, np.array([place]), w, slope_x, slope_y, P, M_x, M_y, by_storeys))
-    return tuple(found)
+        unknowns = [np.flatnonzero((above.base == number) & (above.way == way)) for way in range(FIELDS)]
+        w, slope_x, slope_y = (moved[at] if len(at) else np.zeros(1) for at in unknowns)
+        P, M_x, M_y = (force[at] if len(at) else np.zeros(1) for at in unknowns)
+        by_storeys = changes[unknowns[0]] if len(unknowns[0]) else np.zeros((1, changes.shape[1]))
+        bases.append(BaseResult(name, np.array([place]), w, slope_x, slope_y, P, M_x, M_y, by_storeys))
+    return tuple(bases)
 
 
 def _changes_by_storeys(model: Model, solution: Solution, above: Building, solver: str) -> Array:
@@ -45,21 +45,21 @@ def _changes_by_storeys(model: Model, solution: Solution, above: Building, solve
     With K_j instead of K the bases move by q_j = (1 + T (K_j - K))^-1 q, where T is what unit forces on them do to
     them, the building included. On an elastic continuum, and of a building given as a matrix, nothing is known.
     """
-    given = model.building
-    assert given is not None
-    if given.matrix or solution.pressed is not None:
+    building = model.building
+    assert building is not None
+    if building.matrix or solution.pressed is not None:
         return np.zeros((len(above.base), 0))
     # that of one contact serves all combinations: the ground is nearly the same
     held = solution.contact.state.tobytes()
-    known = _flexibilities(solution, above)
-    if held not in known:
-        known[held] = _flexibility(solution, above, solver)
-    T, K, q = known[held], above.stiffness, above.motions(solution.U)
-    found = []
-    for storeys in range(1, len(given.storeys) + 1):
+    flexibilities = _flexibilities(solution, above)
+    if held not in flexibilities:
+        flexibilities[held] = _flexibility(solution, above, solver)
+    T, K, q = flexibilities[held], above.stiffness, above.motions(solution.U)
+    changes = []
+    for storeys in range(1, len(building.storeys) + 1):
         K_j = motion_stiffness(model, above, storeys)
-        found.append(-K_j @ np.linalg.solve(np.eye(len(K)) + T @ (K_j - K), q))
-    return np.column_stack(found)
+        changes.append(-K_j @ np.linalg.solve(np.eye(len(K)) + T @ (K_j - K), q))
+    return np.column_stack(changes)
 
 
 @made_once_by(lambda solution, above: (solution.system.problem.mesh.nodes, above))
@@ -76,9 +76,9 @@ def _flexibility(solution: Solution, above: Building, solver: str) -> Array:
     factor = factorization.SOLVERS[solver](A.indptr, A.indices).factor(A.constrain(system.fixed, system.diagonal_shift))
     spread, unknown = above.spread.tocoo(), s.problem.unknown[:, :FIELDS].ravel()
     at, motion = unknown[spread.coords[0]], spread.coords[1]
-    there = at >= 0
+    supported = at >= 0
     G = np.zeros((A.size, len(above.base)), order="F")
-    np.add.at(G, (at[there], motion[there]), spread.data[there])
+    np.add.at(G, (at[supported], motion[supported]), spread.data[supported])
     G[system.fixed] = 0.0
-    found: Array = G.T @ factor.solve(G)
-    return found
+    flexibility: Array = G.T @ factor.solve(G)
+    return flexibility

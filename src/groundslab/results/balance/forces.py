@@ -95,7 +95,7 @@ def membrane_forces(s: System, U: Array) -> Array:
     problem, b = s.problem, s.blocks
     elements, n = problem.mesh.elements[problem.plate.elements], len(problem.mesh.nodes)
     f = apply(b.membrane, b.kind[problem.plate.elements], membrane_unknowns(problem, U))
-    return collect(problem.mesh.elements, np.column_stack([scatter(elements, f[:, own], n) for own in _HALVES]))
+    return collect(problem.mesh.elements, np.column_stack([scatter(elements, f[:, half], n) for half in _HALVES]))
 
 
 #: u and v among the unknowns of an element.
@@ -108,8 +108,8 @@ def beam_forces(s: System, U: Array) -> Array:
     if len(sides):
         u = without_motion(s.problem.beams, s.problem.mesh.nodes, beam_unknowns(s.problem, U))
         on_nodes = np.einsum("bacij,bcj->bai", s.beams, u)
-        for some, fields, own in beam_fields(s.problem):
-            np.add.at(forces, (sides[some][..., None], fields), on_nodes[some][..., own])
+        for which, fields, in_element in beam_fields(s.problem):
+            np.add.at(forces, (sides[which][..., None], fields), on_nodes[which][..., in_element])
     return forces
 
 
@@ -183,7 +183,7 @@ def tail_forces(problem: Problem, w: Array, column: Column) -> Array:
     f = np.einsum("...ij,...,kl,j...l->i...k", t.spring, length, EDGE_MASS, we)
     f += np.einsum("...ij,...,kl,j...l->i...k", t.slope, 1 / length, EDGE_SLOPE, we)
     n = len(problem.mesh.nodes)
-    forces = np.column_stack([scatter(problem.edges, each, n) for each in f])
+    forces = np.column_stack([scatter(problem.edges, force, n) for force in f])
     forces[problem.corners] += np.einsum("...ij,j...->...i", at_corners.corner, w[:, problem.corners])
     return forces
 
@@ -244,8 +244,8 @@ def _joint_forces(solution: Solution, inner: Array) -> Array:
     if links.shared.any():
         left = inner - problem.load - bearing_forces(solution) + links.spread(force, len(inner))
         for field in np.flatnonzero(links.fields[links.shared].any(axis=0)):
-            own = links.shared & links.fields[:, field] & (problem.unknown[links.nodes[:, 0], field] >= 0)
-            force[own] = _balancing(links.nodes[own], left[:, field])
+            of_field = links.shared & links.fields[:, field] & (problem.unknown[links.nodes[:, 0], field] >= 0)
+            force[of_field] = _balancing(links.nodes[of_field], left[:, field])
     return force
 
 
@@ -262,9 +262,9 @@ def _balancing(pairs: Integers, left: Array) -> Array:
     place = connected_components(coo_array((np.ones(len(pairs)), pairs.T), shape=(n, n)), directed=False)[1]
     _, number, count = np.unique(place[pairs[:, 0]], return_inverse=True, return_counts=True)
     for which in np.flatnonzero(count > 1):
-        own = np.flatnonzero(number == which)
-        nodes, ends = np.unique(pairs[own], return_inverse=True)
-        incidence = np.zeros((len(nodes), len(own)))
-        incidence[ends.reshape(-1, 2).T, np.arange(len(own))] = np.array([[1.0], [-1.0]])
-        force[own] = np.linalg.lstsq(incidence, -left[nodes], rcond=None)[0]
+        of_plate = np.flatnonzero(number == which)
+        nodes, ends = np.unique(pairs[of_plate], return_inverse=True)
+        incidence = np.zeros((len(nodes), len(of_plate)))
+        incidence[ends.reshape(-1, 2).T, np.arange(len(of_plate))] = np.array([[1.0], [-1.0]])
+        force[of_plate] = np.linalg.lstsq(incidence, -left[nodes], rcond=None)[0]
     return force

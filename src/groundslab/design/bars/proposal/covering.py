@@ -116,10 +116,10 @@ def cover(excess: Array, options: Options, most: int, price: float) -> list[Zone
         for leaf in leaves:
             if leaf.needs not in cuts:
                 cuts[leaf.needs] = _best_cut(excess, leaf, options)
-        known = [(cut[0], n) for n, leaf in enumerate(leaves) if (cut := cuts[leaf.needs]) is not None]
-        if not known:
+        split = [(cut[0], n) for n, leaf in enumerate(leaves) if (cut := cuts[leaf.needs]) is not None]
+        if not split:
             break
-        position = min(known)[1]
+        position = min(split)[1]
         cut = cuts[leaves[position].needs]
         assert cut is not None
         leaves = [*leaves[:position], *cut[1:], *leaves[position + 1 :]]
@@ -169,8 +169,8 @@ def _nest(excess: Array, leaf: _Leaf, options: Options) -> tuple[float, list[_Le
         light = options.only(int(option))
         outer = _leaf(np.minimum(excess, light.area[0]), leaf.needs, light)
         rest = np.zeros_like(excess)
-        there = _developed(outer.zone.cells, excess.shape[0], light)[i0:i1, None]
-        rest[i0:i1, j0:j1] = np.maximum(excess[i0:i1, j0:j1] - there * (1 + 1e-12), 0.0)
+        developed = _developed(outer.zone.cells, excess.shape[0], light)[i0:i1, None]
+        rest[i0:i1, j0:j1] = np.maximum(excess[i0:i1, j0:j1] - developed * (1 + 1e-12), 0.0)
         window = _trim(rest, leaf.needs)
         if window is None:
             continue

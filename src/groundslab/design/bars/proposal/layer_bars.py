@@ -118,11 +118,11 @@ def propose_layer(task: LayerTask, grid: PlanGrid, steel: Reinforcement, rule: D
             break
         if candidate.lowest + price * bool(candidate.excess.any()) >= least:
             continue
-        found = _with_zones(candidate, area, grid, steel, price)
-        cost = math.inf if found is None else found.steel + found.held + price * len(found.zones)
+        proposed = _with_zones(candidate, area, grid, steel, price)
+        cost = math.inf if proposed is None else proposed.steel + proposed.held + price * len(proposed.zones)
         if cost < least * (1 - ROUNDING):
-            best, least, in_vain = found, cost, 0
-        elif found is not None:
+            best, least, in_vain = proposed, cost, 0
+        elif proposed is not None:
             in_vain += 1
     if best is None or task.axis == 0:
         return best
@@ -171,13 +171,13 @@ def _options(
     rule: DetailingRule,
 ) -> Options:
     """Return the bars that zones may have beside a base, with their lengths in cells."""
-    anchorage = [rule.anchorage(steel, task.bar(one.bars.diameter, one.apart)) for one in additions]
+    anchorage = [rule.anchorage(steel, task.bar(addition.bars.diameter, addition.apart)) for addition in additions]
     least = max(1, math.ceil(steel.proposal.least_size / grid.step - ROUNDING))
     return Options(
-        area=np.array([bar_area(one.bars) for one in additions]),
+        area=np.array([bar_area(addition.bars) for addition in additions]),
         anchorage=np.array(anchorage) / grid.step * PARTS,
-        nestable=np.array([one.nestable for one in additions], dtype=bool),
-        inner=np.array([one.bars.spacing > (1 - ROUNDING) * base.spacing for one in additions], dtype=bool),
+        nestable=np.array([addition.nestable for addition in additions], dtype=bool),
+        inner=np.array([addition.bars.spacing > (1 - ROUNDING) * base.spacing for addition in additions], dtype=bool),
         least=(least * PARTS, least),
         every=PARTS,
         # both legs and the back of a U bar, at their least length
@@ -202,7 +202,9 @@ def _additions(task: LayerTask, base: Bars, rule: DetailingRule, steel: Reinforc
             thickest = max(diameter, base.diameter)
             # bars of a gap divide it evenly; where another zone lies within, there is one more
             apart = [base.spacing / (in_gap + further) for further in (1, 2)]
-            room, more_room = (each - thickest >= rule.least_clear(steel, thickest) - ROUNDING for each in apart)
+            room, more_room = (
+                axes_apart - thickest >= rule.least_clear(steel, thickest) - ROUNDING for axes_apart in apart
+            )
             bars = Bars(diameter=diameter, spacing=round(multiple * base.spacing, 6))
             # thinner bars than those of the base have more cover
             near = min(base.spacing, bars.spacing) <= task.farthest(min(diameter, base.diameter)) + ROUNDING

@@ -219,14 +219,14 @@ def _least_areas(result: CombinationResult, steel: Reinforcement) -> dict[str, A
     thickness, _ = result.elements.at_nodes(plate)
     minimum = code_of(steel).bending(steel, result.limit_state).minimum
     errors = moment_errors(result)
-    found = {}
+    least = {}
     for layer in LAYERS:
         name = f"moment_{layer[-1]}"
         moment, twist = getattr(plate, name), np.abs(plate.moment_xy)
         tension = (moment if layer.startswith("bottom") else -moment) + twist
         margin = errors[name] + NEAR_TENSION * float((np.abs(moment) + twist).max())
-        found[layer] = np.where(tension + margin > 0, minimum(thickness - axis_of(steel, layer), thickness), 0.0)
-    return found
+        least[layer] = np.where(tension + margin > 0, minimum(thickness - axis_of(steel, layer), thickness), 0.0)
+    return least
 
 
 def _refuse(layer: str, needs: Array, nodes: Array, steel: Reinforcement, rule: DetailingRule) -> LayerProposal:
@@ -241,8 +241,8 @@ def _refuse(layer: str, needs: Array, nodes: Array, steel: Reinforcement, rule: 
         "cover and axes leave room for {most:g mm}; allow smaller spacings or more zones in reinforcement.proposal",
         most=most,
     )
-    found = Message("{needs:.4g cm2/m} required", needs=needs[node] * 1e4)
-    raise InputError([Issue(where, found, "bars of reinforcement.proposal that are as much", hint)])
+    area = Message("{needs:.4g cm2/m} required", needs=needs[node] * 1e4)
+    raise InputError([Issue(where, area, "bars of reinforcement.proposal that are as much", hint)])
 
 
 def _task(
@@ -291,19 +291,19 @@ def _diameters(steel: Reinforcement, layer: str, rule: DetailingRule, *, crossin
     If the axes leave no room for any, the least one. `crossing` is whether bars may be too thick for both layers.
     """
     face = layer.split("_")[0]
-    given: tuple[float, float] | None = getattr(steel, face)
+    axes: tuple[float, float] | None = getattr(steel, face)
     diameters = steel.proposal.diameters
     allowed = []
     for diameter in diameters:
         least = rule.least_cover(steel, layer, diameter) or 0.0
-        if given is None:
+        if axes is None:
             assert steel.cover is not None
             fits = steel.cover[face == "top"] >= least - ROUNDING
         else:
-            own = given["xy".index(layer[-1])]
+            axis = axes["xy".index(layer[-1])]
             # the bars of both layers of a face cross: half of each lies between their axes
-            room = crossing or diameter <= abs(given[0] - given[1]) + ROUNDING
-            fits = own - diameter / 2 >= least - ROUNDING and room
+            room = crossing or diameter <= abs(axes[0] - axes[1]) + ROUNDING
+            fits = axis - diameter / 2 >= least - ROUNDING and room
         if fits:
             allowed.append(diameter)
     return tuple(allowed) or diameters[:1]

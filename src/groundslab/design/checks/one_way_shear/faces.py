@@ -88,8 +88,8 @@ def webs_of(model: Model) -> tuple[BaseGeometry, list[LineString]]:
     from shapely import union_all
 
     chord = FLAT * max(model.sides)
-    some = [beam for beam in model.beams if beam.width]
-    return union_all([beam.area(chord) for beam in some]), [beam.to_shapely(chord) for beam in some]
+    with_webs = [beam for beam in model.beams if beam.width]
+    return union_all([beam.area(chord) for beam in with_webs]), [beam.to_shapely(chord) for beam in with_webs]
 
 
 def _samples(shape: BaseGeometry) -> Array:

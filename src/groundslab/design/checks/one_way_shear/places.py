@@ -125,10 +125,10 @@ class ShearPlaces:
         """
         from shapely import distance, points
 
-        counts, there = places.counts, points(places.xy)
+        counts, at_places = places.counts, points(places.xy)
         for force in punching:
             reach = np.minimum(self.reach.get(force.key, np.inf), 2 * places.d)
-            near = distance(there, force.footprint.footprint()) <= reach
+            near = distance(at_places, force.footprint.footprint()) <= reach
             if force.at_zone:
                 near &= places.thickness <= force.thickness(results) * (1 + SAME)
             counts = counts & ~near

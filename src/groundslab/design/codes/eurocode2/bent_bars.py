@@ -102,8 +102,8 @@ def bars_at(combined: Results, steel: Reinforcement, laid: LaidBars, bent: BentB
     """Return the thickness [m] and the bars where a field is largest."""
     result = combined.results[bent.combination]
     h = float(result.elements.at_nodes(result.plate)[0][bent.node])
-    diameter, spacing, area = (float(np.broadcast_to(each, len(result.plate.nodes))[bent.node])
-                               for each in (laid.diameter, laid.spacing, laid.area))  # fmt: skip
+    diameter, spacing, area = (float(np.broadcast_to(values, len(result.plate.nodes))[bent.node])
+                               for values in (laid.diameter, laid.spacing, laid.area))  # fmt: skip
     return h, Bars(diameter, spacing, axis_of(steel, bent.layer) - diameter / 2, np.array(area))
 
 

@@ -92,16 +92,16 @@ def forces(results: CombinationResult, borders: Borders, h: float, l: float, tra
 
     model = results.solved_model
     factors = factors_of(results)
-    given = [
+    point_loads = [
         (factors[load.case] * load.P, load.on(model.columns))
         for load in model.loads
         if isinstance(load, PointLoad) and factors.get(load.case, 0.0) * load.P > 0
     ]
-    P = np.array([force for force, _ in given])
-    places = np.array([(load.x, load.y) for _, load in given], dtype=float).reshape(-1, 2)
+    P = np.array([force for force, _ in point_loads])
+    places = np.array([(load.x, load.y) for _, load in point_loads], dtype=float).reshape(-1, 2)
     grouped = []
     for members in _as_one(places, AS_ONE * h):
-        shapes = [given[n][1].to_shapely(borders.chord) for n in members]
+        shapes = [point_loads[n][1].to_shapely(borders.chord) for n in members]
         shape = union_all(shapes).convex_hull if len(shapes) > 1 else shapes[0]
         x, y = (P[members] @ places[members] / P[members].sum()).tolist()
         a = math.sqrt(shape.area / math.pi)

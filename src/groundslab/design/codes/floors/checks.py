@@ -182,8 +182,8 @@ def _punching(floor: TR34Floor, concrete: Concrete, slab: Slab, standing: Standi
     largest = dict[Location, tuple[Force, CombinationResult]]()
     for result, loads in standing:
         for load in loads:
-            known = largest.get(load.location)
-            if load.a and (known is None or load.share * load.P > known[0].share * known[0].P):
+            before = largest.get(load.location)
+            if load.a and (before is None or load.share * load.P > before[0].share * before[0].P):
                 largest[load.location] = load, result
     d = FIBER_DEPTH * slab.h if floor.mesh_axis is None else slab.h - floor.mesh_axis
     rho = 0.0 if floor.mesh_area is None else floor.mesh_area / d
@@ -275,10 +275,10 @@ def _point_loads(slab: Slab, standing: Standing, fails: Fails, clauses: dict[int
     """Yield the worst of single forces, of two and of four, each inside, at edges and at corners."""
     worst = dict[tuple[int, Location], Use]()
     for result, loads in standing:
-        some: Iterable[tuple[tuple[Force, ...], float]] = [((load,), 0.0) for load in loads]
+        groups: Iterable[tuple[tuple[Force, ...], float]] = [((load,), 0.0) for load in loads]
         if 2 in clauses:
-            some = [*some, *acting_loads.groups(loads, REACH * slab.l)]
-        for members, distances in some:
+            groups = [*groups, *acting_loads.groups(loads, REACH * slab.l)]
+        for members, distances in groups:
             location = acting_loads.worst_location(members)
             demand = sum(load.share * load.P for load in members)
             use = Use(demand, fails(members, distances, location), _middle(members), result.combination)

@@ -72,9 +72,9 @@ def _check(
     joint = governing.joints[number]
     x, y = joint.nodes[int(np.argmax(np.abs(joint.force / joint.length)))]
     q = _largest(joint)
-    known = {step.symbol: step for step in _steps(dowels, q, *strength)}
-    force, R, used = (known[symbol].value for symbol in ("P", "P_R", "eta"))
-    what = "shear" if known["P_sh"].value <= known["P_b"].value else "bending"
+    by_symbol = {step.symbol: step for step in _steps(dowels, q, *strength)}
+    force, R, used = (by_symbol[symbol].value for symbol in ("P", "P_R", "eta"))
+    what = "shear" if by_symbol["P_sh"].value <= by_symbol["P_b"].value else "bending"
     error = error_of(governing, lambda mesh: _largest(mesh.joints[number]))
     words = Message(
         "{title}: {force:.4g kN} on a dowel at {place:.3f m} is {used:.3g} times {R:.4g kN}, by {what}, "
@@ -90,7 +90,7 @@ def _check(
     return DesignCheck(
         DOWELS, "fails" if used > 1 else "no failure found", words, of=title, demand=force * 1e3, resistance=R * 1e3,
         unit="kN", clause=_CLAUSE, combination=governing.combination, place=(float(x), float(y)),
-        error=scaled(error, dowels.spacing / 1e3), steps=tuple(known.values()),
+        error=scaled(error, dowels.spacing / 1e3), steps=tuple(by_symbol.values()),
     )  # fmt: skip
 
 

@@ -226,8 +226,8 @@ def factored_sums(results: CombinationResult, sums: Mapping[str, Array]) -> Arra
 
 def factors_of(results: CombinationResult) -> dict[str, float]:
     """Return the factors of the load cases in a combination, those of the building above among them."""
-    given = dict(results.factors) if results.solved_model.cases else {"": 1.0}
-    return given | building_factors(results)
+    factors = dict(results.factors) if results.solved_model.cases else {"": 1.0}
+    return factors | building_factors(results)
 
 
 def _pieces(part: Polygon, area: BaseGeometry) -> list[Polygon]:

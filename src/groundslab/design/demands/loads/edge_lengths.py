@@ -69,9 +69,9 @@ def _intervals(x: Array, part: Polygon) -> tuple[Integers, Array, Array]:
     off = np.abs(x[:, 1] - (x[:, 0] + x[:, 2]) / 2).max(axis=1)
     curved = off > CURVED * np.ptp(x, axis=1).max(axis=1)
     chords = ((1, np.flatnonzero(~curved)), (SIDE_CHORDS, np.flatnonzero(curved)))
-    found = [(some, *_intervals_of_chords(x[some], part, n)) for n, some in chords if len(some)]
-    side = np.concatenate([some[which] for some, which, _, _ in found])
-    low, high = (np.concatenate([each[i] for each in found]) for i in (2, 3))
+    intervals = [(sides, *_intervals_of_chords(x[sides], part, n)) for n, sides in chords if len(sides)]
+    side = np.concatenate([sides[which] for sides, which, _, _ in intervals])
+    low, high = (np.concatenate([interval[i] for interval in intervals]) for i in (2, 3))
     return side, low, high
 
 

@@ -150,7 +150,7 @@ def _zones(results: CombinationResult, forces: Sequence[PunchingForce], section:
     plan, thickness = outline(results.plate), results.elements.thickness
     x0, y0, x1, y1 = plan.bounds
     rounding = same_place(x0, x1, y0, y1)
-    known: list[ZoneForce] = []
+    zones: list[ZoneForce] = []
     on_plate = [force for force in forces if plan.buffer(rounding).covers(force.footprint.footprint())]
     for level in np.unique(thickness)[1:]:
         those = thickness >= (1 - SAME) * level
@@ -163,13 +163,13 @@ def _zones(results: CombinationResult, forces: Sequence[PunchingForce], section:
             # a thinner place in the zone is none of its border
             loaded = intersection(Polygon(part.exterior), plan) if part.interiors else part
             loaded = max(get_parts(loaded), key=lambda one: one.area).simplify(rounding)
-            if any(zone.region == loaded for zone in known):
+            if any(zone.region == loaded for zone in zones):
                 continue
             middles = results.plate.nodes[results.plate.elements[:, -1]]
             sections = np.unique(results.elements.section[those & contains_xy(part, *middles.T)]) - section
             column = _around(loaded, _name([int(number) for number in sections if number > 0]))
-            known.append(ZoneForce(column, {}, region=loaded, around=around, forces=on))
-    yield from known
+            zones.append(ZoneForce(column, {}, region=loaded, around=around, forces=on))
+    yield from zones
 
 
 def _thickest_at(results: CombinationResult, others: Array, part: Polygon, rounding: float) -> float:

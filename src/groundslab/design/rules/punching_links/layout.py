@@ -156,8 +156,8 @@ def lay_links(demand: LinkDemand, diameters: Sequence[float], covers: tuple[floa
                 problems.append(str(error))
                 continue
             if all(perimeter is not None for perimeter in perimeters):
-                found = tuple(perimeter for perimeter in perimeters if perimeter is not None)
-                layouts.append(LinkLayout(*start, diameter, leg, found))
+                laid = tuple(perimeter for perimeter in perimeters if perimeter is not None)
+                layouts.append(LinkLayout(*start, diameter, leg, laid))
     if not layouts:
         return LinkLayout(*start, why=problems[0] if problems else _no_room(arrangement, diameters))
     return min(layouts, key=lambda layout: (layout.mass, layout.number))

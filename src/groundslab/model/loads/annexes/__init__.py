@@ -46,7 +46,7 @@ def is_unknown(annex: str | None) -> bool:
 
 def _own(annex: str) -> dict[str, Any]:
     """Return the values that an annex has of its own, by their keys."""
-    own = {
+    factors = {
         row["key"]: row["national"][annex] for row in action_parameters()["rows"] if annex in row.get("national", {})
     }
-    return {key: tuple(value) if isinstance(value, list) else value for key, value in own.items()}
+    return {key: tuple(value) if isinstance(value, list) else value for key, value in factors.items()}

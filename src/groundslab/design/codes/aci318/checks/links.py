@@ -57,7 +57,7 @@ def links(combined: Results, steel: Reinforcement, support: Support, demands: De
 
 def _worst(known: Mapping[tuple[str, str], TwoWay], name: str, steel: Reinforcement) -> TwoWay:
     """Return the demand at one column, pile or end of a wall that uses most."""
-    of_name = [demand for (_, each), demand in known.items() if each == name]
+    of_name = [demand for (_, of), demand in known.items() if of == name]
     return max(of_name, key=partial(used, steel=steel))
 
 
@@ -70,8 +70,8 @@ def _of_forces(
 ) -> Iterator[LinkDemand]:
     """Yield the columns, piles or zones that need stirrups."""
     for punching in forces:
-        found = {pair: demand for pair, demand in known.items() if pair[1] == punching.name and not demand.supported}
-        needing = [demand for demand in found.values() if used(demand, steel) > 1]
+        of_force = {pair: demand for pair, demand in known.items() if pair[1] == punching.name and not demand.supported}
+        needing = [demand for demand in of_force.values() if used(demand, steel) > 1]
         if not needing:
             continue
         worst = max(needing, key=lambda demand: demand.v_u)

@@ -34,8 +34,8 @@ def wall_two_way(combined: Results) -> Demands[TwoWay]:
     steel = combined.model.reinforcement
     if steel is None:
         return Demands()
-    some = punching_walls(combined, steel, DISTANCE, lambda thickness, _: Openings(OPENING_REACH * thickness))
-    return Demands({(each.results.combination, each.site.end.name): _demand(each) for each in some})
+    punching = punching_walls(combined, steel, DISTANCE, lambda thickness, _: Openings(OPENING_REACH * thickness))
+    return Demands({(at_end.results.combination, at_end.site.end.name): _demand(at_end) for at_end in punching})
 
 
 def _demand(punching: WallPunching) -> TwoWay:

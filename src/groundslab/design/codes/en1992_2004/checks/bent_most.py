@@ -66,7 +66,7 @@ def _places(combined: Results, results: list[CombinationResult]) -> Iterator[tup
         return
     moments = [design_moments(result.plate) for result in results]
     for layer in ("bottom_x", "bottom_y", "top_x", "top_y"):
-        sizes: Array = np.max([np.abs(getattr(each, layer)) for each in moments], axis=0)
+        sizes: Array = np.max([np.abs(getattr(of_combination, layer)) for of_combination in moments], axis=0)
         if sizes.max() > 0:
             yield layer, int(np.argmax(sizes)), "at its largest moment"
     nodes = results[0].plate.nodes

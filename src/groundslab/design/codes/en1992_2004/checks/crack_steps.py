@@ -15,7 +15,9 @@ from groundslab.design.rules.calculation import MEGA, Step
 
 def stress(m: float, h: float, bars: Bars, concrete: Concrete, steel: Steel) -> Iterator[Step]:
     """Yield the stress of bars under a moment m [N m/m] at a place of thickness h [m], of a section that is cracked."""
-    area, phi, spacing, c = (float(np.asarray(each)) for each in (bars.area, bars.diameter, bars.spacing, bars.cover))
+    area, phi, spacing, c = (
+        float(np.asarray(figure)) for figure in (bars.area, bars.diameter, bars.spacing, bars.cover)
+    )
     d, alpha_e = h - c - phi / 2, steel.E_s / concrete.E_cm
     x = float(cracking.neutral_axis(np.array([d]), np.array([area]), alpha_e)[0])
     sigma_s = float(cracking.bar_stress(np.array([m]), np.array([h]), bars, concrete, steel)[0])
@@ -36,7 +38,7 @@ def stress(m: float, h: float, bars: Bars, concrete: Concrete, steel: Steel) -> 
 def steps(m: float, h: float, bars: Bars, concrete: Concrete, steel: Steel) -> Iterator[Step]:
     """Yield the calculation of a crack for a moment m [N m/m] at a place of thickness h [m], with the bars there."""
     yield from stress(m, h, bars, concrete, steel)
-    area, phi, c = (float(np.asarray(each)) for each in (bars.area, bars.diameter, bars.cover))
+    area, phi, c = (float(np.asarray(figure)) for figure in (bars.area, bars.diameter, bars.cover))
     d, at = h - c - phi / 2, np.array([h])
     x = cracking.neutral_axis(np.array([d]), np.array([area]), steel.E_s / concrete.E_cm)
     sigma_s = cracking.bar_stress(np.array([m]), at, bars, concrete, steel)

@@ -38,11 +38,11 @@ def checks(results: CombinationResult, steel: Reinforcement) -> Iterator[DesignC
         return
     criteria, minutes = steel.fire.split()
     h_s, a = TABLE_5_8[int(minutes)]
-    found = [_axes(steel, float(a))]
+    fire_checks = [_axes(steel, float(a))]
     if criteria == "REI":
-        found.append(_thickness(results, steel.fire, float(h_s)))
+        fire_checks.append(_thickness(results, steel.fire, float(h_s)))
     strong = strengths(steel)[0] > HIGH_STRENGTH
-    yield from (_of_high_strength(check) if strong else check for check in found)
+    yield from (_of_high_strength(check) if strong else check for check in fire_checks)
 
 
 def _axes(steel: Reinforcement, least: float) -> DesignCheck:

@@ -157,7 +157,7 @@ class _Site:
     def controls_at(self, results: CombinationResult, distances: list[float]) -> list[ControlPerimeter | str]:
         """Return the perimeters at distances [m] from the face with what is inside, or why there are none."""
         lines: dict[float, Perimeter] = {}
-        for distance in (each for each in distances if each not in self.controls):
+        for distance in (missing for missing in distances if missing not in self.controls):
             line = self.line(distance)
             if isinstance(line, str):
                 self.controls[distance] = line
@@ -264,13 +264,15 @@ def _largest(results: list[CombinationResult], site: _Site) -> tuple[list[Demand
     first = results[0]
     face = "no column" if site.punching.at_zone else site.control(first, 0.0)
     distances, why = _first_distances(site)
-    made = [_demand(result, site, face, distances) for result in results]
+    demands = [_demand(result, site, face, distances) for result in results]
     for _ in range(MOST_TRIALS):
-        distance = _next_distance(made, site.d)
+        distance = _next_distance(demands, site.d)
         if distance is None or isinstance(control := site.control(first, distance), str):
             break
-        made = [_with_perimeter(demand, result, site, control) for demand, result in zip(made, results, strict=True)]
-    return made, why
+        demands = [
+            _with_perimeter(demand, result, site, control) for demand, result in zip(demands, results, strict=True)
+        ]
+    return demands, why
 
 
 def _first_distances(site: _Site) -> tuple[list[float], str]:
@@ -281,13 +283,13 @@ def _first_distances(site: _Site) -> tuple[list[float], str]:
     good: list[float] = []
     steps = [float(distance) for distance in STEPS * site.d]
     for before, distance in pairwise([0.0, *steps]):
-        line, known = site.line(distance), site.line(before)
+        line, line_before = site.line(distance), site.line(before)
         if isinstance(line, str):
             last, _ = _halved(before, distance, lambda a: not isinstance(site.line(a), str))
             good += [last] if last > before else []
             return [*dict.fromkeys(good)], "" if good else line
-        if good and not isinstance(known, str) and known.setbacks != line.setbacks:
-            good += _halved(before, distance, partial(_runs_out_to, site, known.setbacks))
+        if good and not isinstance(line_before, str) and line_before.setbacks != line.setbacks:
+            good += _halved(before, distance, partial(_runs_out_to, site, line_before.setbacks))
         good.append(distance)
     return [*dict.fromkeys(good)], ""
 

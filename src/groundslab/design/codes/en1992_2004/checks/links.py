@@ -108,13 +108,13 @@ def _of_forces(
 ) -> Iterator[LinkDemand]:
     """Yield the columns, piles or zones that need links."""
     for punching in forces:
-        found = [demand for demand in punched.found.values() if demand.name == punching.name]
-        required = _required(steel, found)
+        of_force = [demand for demand in punched.found.values() if demand.name == punching.name]
+        required = _required(steel, of_force)
         if required is None:
             continue
         # by the axes of the bars at either face where it pushes in some combinations and pulls in others
-        d, thickness = min(demand.d for demand in found), punching.thickness(first)
-        arrangement: Arrangement | str = _refused(steel, found, thickness, at_face=support != "zone") or _too_far(
+        d, thickness = min(demand.d for demand in of_force), punching.thickness(first)
+        arrangement: Arrangement | str = _refused(steel, of_force, thickness, at_face=support != "zone") or _too_far(
             required, d
         )
         if not arrangement:
@@ -126,15 +126,15 @@ def _of_forces(
 
 def _of_walls(combined: Results, steel: Reinforcement, punched: Demands[Demand]) -> Iterator[LinkDemand]:
     """Yield the ends and corners of walls that need links."""
-    some = at_ends(combined, steel)
-    for name, (site, results) in {each.site.end.name: (each.site, each.results) for each in some}.items():
-        found = [demand for demand in punched.found.values() if demand.name == name]
-        required = _required(steel, found)
+    punching = at_ends(combined, steel)
+    for name, (site, results) in {at_end.site.end.name: (at_end.site, at_end.results) for at_end in punching}.items():
+        of_end = [demand for demand in punched.found.values() if demand.name == name]
+        required = _required(steel, of_end)
         if required is None:
             continue
         footprint = footprint_of(site.column)
         thickness = thickness_at(results, footprint)
-        arrangement: Arrangement | str = _refused(steel, found, thickness, at_face=False) or _too_far(required, site.d)
+        arrangement: Arrangement | str = _refused(steel, of_end, thickness, at_face=False) or _too_far(required, site.d)
         if not arrangement:
             plan, around = outline(plate_under(results, *site.end.place)), footprint.footprint()
             far = FAR * (required.last + 2 * REACH * site.d + math.sqrt(around.area))
@@ -156,12 +156,12 @@ def _wall_legs(area: LoadedArea, shadow: BaseGeometry, distance: float) -> Array
 
 def _required(steel: Reinforcement, found: list[Demand]) -> _Required | None:
     """Return what the demands of all combinations need, None where none needs links."""
-    some = [(demand, needing) for demand in found if (needing := _needing(demand))]
-    if not some:
+    with_needs = [(demand, needing) for demand in found if (needing := _needing(demand))]
+    if not with_needs:
         return None
-    needs = {demand.combination: _needs(steel, demand, needing) for demand, needing in some}
+    needs = {demand.combination: _needs(steel, demand, needing) for demand, needing in with_needs}
     combination = max(needs, key=lambda name: max(area for area, _ in needs[name]))
-    last = max(outer(demand).last_links(demand.d) for demand, _ in some)
+    last = max(outer(demand).last_links(demand.d) for demand, _ in with_needs)
     return _Required(combination, tuple(chain.from_iterable(needs.values())), last)
 
 

@@ -63,15 +63,15 @@ class Judged(NamedTuple):
 
 def aspects(support: Support, demands: Demands[Demand], steel: Reinforcement) -> Iterator[Aspect]:
     """Yield what is judged: of columns and piles v_Rd,max at faces where it is limited (6.4.5(3)); all within 2 d."""
-    found = demands.found.values()
+    of_support = demands.found.values()
     if support in AT_FACES and en1992.max_resistance(materials(steel)[0]) is not None:
         at_face = [
             Judged(demand, demand.face, en1992.max_resistance(materials(steel, demand.limit_state)[0]) or 0.0)
-            for demand in found
+            for demand in of_support
             if demand.face is not None
         ]
         yield Aspect(AT_FACES[support], at_face, _share, partial(_at_face, support), says_missing=False)
-    around = [Judged(demand, stress, demand.resistance(stress)) for demand in found for stress in demand.around]
+    around = [Judged(demand, stress, demand.resistance(stress)) for demand in of_support for stress in demand.around]
     yield Aspect(WITHIN_2D[support], around, _share, partial(_within_2d, steel, support))
 
 
@@ -93,20 +93,22 @@ def _within_2d(steel: Reinforcement, support: Support, there: list[Judged]) -> D
     """
     name = WITHIN_2D[support]
     annex = materials(steel)[0].annex
-    counted = {id(each.stress) for each in there}
-    punching = {id(each.demand): each.demand for each in there}.values()
-    limited = (each for demand in punching for each in limited_with_links(demand, annex, at_face=support in AT_FACES))
-    most = [each for each in limited if id(each.stress) in counted]
+    counted = {id(stressed.stress) for stressed in there}
+    punching = {id(stressed.demand): stressed.demand for stressed in there}.values()
+    limited = (
+        stressed for demand in punching for stressed in limited_with_links(demand, annex, at_face=support in AT_FACES)
+    )
+    most = [stressed for stressed in limited if id(stressed.stress) in counted]
     which = "the bars provided" if steel.laid else "the largest ratio that counts"
     limit = Message("{k_max:g} v_Rd,c with {which}", k_max=annex.k_max, which=which)
     without = _punching(name, support, Message("v_Rd with {which}", which=which), there, "attention", "6.4.4(2)")
-    needing = [each for each in there if each.share > 1]
+    needing = [stressed for stressed in there if stressed.share > 1]
     if most:
         with_links = _punching(name, support, limit, most, "fails", "6.4.5(1)")
         if with_links.status == "fails":
-            beyond = {each.name for each in most if each.share > 1}
+            beyond = {stressed.name for stressed in most if stressed.share > 1}
             return replace(
-                with_links, words=with_links.words + _more({each.name for each in needing} - beyond, support)
+                with_links, words=with_links.words + _more({stressed.name for stressed in needing} - beyond, support)
             )
         if with_links.hangs:
             low, high = with_links.between or (0.0, 0.0)
@@ -229,10 +231,10 @@ def _punching(
     name: str, support: Support, limit: str, stresses: list[Judged], status: Status, clause: str
 ) -> DesignCheck:
     """Return whether any stress exceeds its limit, with the worst."""
-    beyond = [each for each in stresses if each.share > 1]
+    beyond = [stressed for stressed in stresses if stressed.share > 1]
     demand, stress, most = worst = max(stresses, key=_share)
-    beside = [each for each in stresses if each.demand.combination == demand.combination]
-    error = error_of_ratio((each.stress.v_Ed, each.resistance, each.stress.error) for each in beside)
+    beside = [stressed for stressed in stresses if stressed.demand.combination == demand.combination]
+    error = error_of_ratio((stressed.stress.v_Ed, stressed.resistance, stressed.stress.error) for stressed in beside)
     numbers: dict[str, Any] = {
         "of": demand.name,
         "demand": max(stress.v_Ed, 0.0) / 1e6,
@@ -244,7 +246,7 @@ def _punching(
         "error": scaled(error, most / 1e6),
     }
     if beyond:
-        count = len({each.name for each in beyond})
+        count = len({stressed.name for stressed in beyond})
         words = Message(
             '{count} {many}; worst {name} in "{combination}": v_Ed {v_Ed:.3g MPa}{at}, {moments}, is '
             "{share:.3g} times {most:.3g MPa}, {limit} ({clause})",

@@ -119,7 +119,7 @@ def _with_links(demand: Demand, stress: Stress, concrete: Concrete, bars: Steel)
     yield Step("largest resistance with links", "v_Rd,m", v_m, "MPa", f"{most:g} * v_Rd", "6.4.5(1)")
     yield Step("share of it that is used", "eta_m", stress.v_Ed / MEGA / v_m, "", "v_Ed / v_Rd,m", "6.4.5(1)")
     limited = limited_with_links(demand, concrete.annex, at_face=demand.face is not None)
-    if outer(demand).is_too_far(demand.d) or any(each.share > 1 for each in limited):
+    if outer(demand).is_too_far(demand.d) or any(stressed.share > 1 for stressed in limited):
         return
     f = en1992.effective_strength(demand.d, bars.f_yd)
     yield Step("strength of links", "f_ywd", bars.f_yd / MEGA, "MPa", clause="3.2.7(2)")

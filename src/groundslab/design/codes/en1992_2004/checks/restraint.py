@@ -86,15 +86,15 @@ def _largest(values: dict[str, Array]) -> tuple[str, int]:
 
 def _bars(steel: Reinforcement, layer: str, laid: LaidBars, node: int | None = None) -> Bars:
     """Return the bars of a layer at all nodes (n,), or at one."""
-    each = slice(None) if node is None else node
-    diameter, spacing, area = (values[each] for values in (laid.diameter, laid.spacing, laid.area))
+    nodes = slice(None) if node is None else node
+    diameter, spacing, area = (values[nodes] for values in (laid.diameter, laid.spacing, laid.area))
     return Bars(diameter, spacing, axis_of(steel, layer) - diameter / 2, np.asarray(area))
 
 
 def _areas(layer: str, place: tuple[float, float], steps: tuple[Step, ...]) -> DesignCheck:
     """Return whether the bars of the layer that is used most are enough."""
-    known = {step.symbol: step.value for step in steps}
-    demand, resistance, name = known["A_min"], known["A_s"], layer.replace("_", " ")
+    values = {step.symbol: step.value for step in steps}
+    demand, resistance, name = values["A_min"], values["A_s"], layer.replace("_", " ")
     holds = demand <= resistance
     return DesignCheck(
         BARS,
@@ -107,7 +107,7 @@ def _areas(layer: str, place: tuple[float, float], steps: tuple[Step, ...]) -> D
             sign="<=" if holds else ">",
             resistance=resistance,
             place=place,
-            f_ct=known["f_ct"],
+            f_ct=values["f_ct"],
         ),
         of=name,
         demand=demand,

@@ -39,15 +39,15 @@ def wall_demands(combined: Results) -> Demands[Demand]:
     if steel is None:
         return Demands()
     model = combined.model
-    some = [*at_ends(combined, steel)]
-    sites = {(each.site.end.name, each.site.pulls): each.site for each in some}
+    punching = [*at_ends(combined, steel)]
+    sites = {(at_end.site.end.name, at_end.site.pulls): at_end.site for at_end in punching}
     ratios = {
         key: punching_ratio(model.plate, steel, site.column, site.d, model.plates, site.face)
         if steel.laid
         else en1992.MOST_BARS
         for key, site in sites.items()
     }
-    demands = [_demand(each, steel, ratios[each.site.end.name, each.site.pulls]) for each in some]
+    demands = [_demand(at_end, steel, ratios[at_end.site.end.name, at_end.site.pulls]) for at_end in punching]
     return Demands({(demand.combination, demand.name): demand for demand in demands})
 
 

@@ -66,8 +66,8 @@ def checks(combined: Results, steel: Reinforcement, laid: dict[str, LaidBars]) -
 
 def _stress_steps(combined: Results, steel: Reinforcement, laid: dict[str, LaidBars], bent: BentBars) -> Iterator[Step]:
     """Yield the stress of bars in a cracked section."""
-    h, there = bars_at(combined, steel, laid[bent.layer], bent)
-    return crack_steps.stress(bent.moment, h, there, *materials(steel))
+    h, bars = bars_at(combined, steel, laid[bent.layer], bent)
+    return crack_steps.stress(bent.moment, h, bars, *materials(steel))
 
 
 def _cover(steel: Reinforcement) -> DesignCheck:

@@ -15,7 +15,9 @@ from groundslab.design.rules.calculation import MEGA, Step
 
 def stress(m: float, h: float, bars: Bars, concrete: Concrete, steel: Steel) -> Iterator[Step]:
     """Yield the stress of bars under a moment m [N m/m] at a place of thickness h [m], of a section that is cracked."""
-    area, phi, spacing, c = (float(np.asarray(each)) for each in (bars.area, bars.diameter, bars.spacing, bars.cover))
+    area, phi, spacing, c = (
+        float(np.asarray(figure)) for figure in (bars.area, bars.diameter, bars.spacing, bars.cover)
+    )
     d, at = h - c - phi / 2, np.array([h])
     alpha_e = steel.E_s / concrete.E_cm
     x = neutral_axis(np.array([d]), np.array([area]), alpha_e)

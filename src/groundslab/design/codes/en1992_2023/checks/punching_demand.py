@@ -122,7 +122,7 @@ def _demands(
 ) -> Demands[Punching]:
     """Return the demands of forces that punch the plate; others may act close to them."""
     model, steel = combined.model, combined.model.reinforcement
-    found: dict[tuple[str, str], Punching] = {}
+    demands: dict[tuple[str, str], Punching] = {}
     missing: dict[str, str] = {}
     if steel is None:
         return Demands()
@@ -134,8 +134,8 @@ def _demands(
             continue
         for result in pushing:
             demand = _demand(result, section, (punching, others), steel)
-            perimeter_loads.add_worse(found, (result.combination, punching.name), demand, lambda each: each.used)
-    return Demands(found, missing)
+            perimeter_loads.add_worse(demands, (result.combination, punching.name), demand, lambda each: each.used)
+    return Demands(demands, missing)
 
 
 def _demand(

@@ -32,14 +32,16 @@ def wall_demands(combined: Results) -> Demands[Punching]:
     steel = combined.model.reinforcement
     if steel is None:
         return Demands()
-    some = punching_walls(
+    punching = punching_walls(
         combined,
         steel,
         np.array([en1992.DISTANCE]),
         lambda _, d: Openings(OPENING_REACH * d, widened=True),
         en1992.STRAIGHT / 2,
     )
-    return Demands({(each.results.combination, each.site.end.name): _demand(each, steel, combined) for each in some})
+    return Demands(
+        {(at_end.results.combination, at_end.site.end.name): _demand(at_end, steel, combined) for at_end in punching}
+    )
 
 
 def _demand(punching: WallPunching, steel: Reinforcement, combined: Results) -> Punching:
