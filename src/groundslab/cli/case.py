@@ -131,6 +131,30 @@ def _check_as_json(file: str) -> int:
 def _structure_and_supports(model: Model) -> list[str]:
     """Return the columns, walls, beams, building and supports of a model in words, a line each."""
     from groundslab.messages import Message, Name, joined
+
+    lines = [*_columns(model), *_walls(model), *_beams(model)]
+    if (above := model.building) is not None:
+        count = len(above.storeys)
+        listed = f"{count} storey{'s' * (count > 1)}"
+        storeys = (
+            Message("{listed}, {height:g m} high", listed=listed, height=sum(above.storeys)) if count else "a matrix"
+        )
+        on = f"on {len(above.names)} columns and walls{_share(above.stiffness)}"
+        lines.append(Message("  building: {storeys}, {on}", storeys=storeys, on=on))
+    for number, support in enumerate(model.supports, 1):
+        *others, end = support.points
+        start = [Message("{place:at (m)}", place=point) for point in others]
+        where = joined([*start, Message("{place:at m}", place=end)], " to ")
+        firm = "elastic" if support.elastic else "rigid"
+        words = f"{support.kind}, {firm}, acts {support.acts}"
+        name = Name(support.name or str(number))
+        lines.append(Message("  support {name}: {words}, at {where}", name=name, words=words, where=where))
+    return lines
+
+
+def _columns(model: Model) -> list[str]:
+    """Return the columns in words."""
+    from groundslab.messages import Message, Name
     from groundslab.model.axes.crossings import name_of_crossing
 
     lines: list[str] = []
@@ -147,6 +171,14 @@ def _structure_and_supports(model: Model) -> list[str]:
         lines.append(
             Message("  column {column}: {size} at {crossing}{place:at m}", **about, place=(column.x, column.y))
         )
+    return lines
+
+
+def _walls(model: Model) -> list[str]:
+    """Return the walls in words."""
+    from groundslab.messages import Message, Name, joined
+
+    lines: list[str] = []
     for wall in model.placed_walls:
         parts = [Message("{thickness:g m} thick, {length:.6g m} long", thickness=wall.thickness, length=wall.length)]
         if wall.height is not None:
@@ -162,6 +194,14 @@ def _structure_and_supports(model: Model) -> list[str]:
                 for hole in wall.openings
             ]
         lines.append(Message("  wall {wall}: {size}", wall=Name(wall.name), size=joined(parts)))
+    return lines
+
+
+def _beams(model: Model) -> list[str]:
+    """Return the beams in words."""
+    from groundslab.messages import Message, Name
+
+    lines: list[str] = []
     for beam in model.beams:
         section = beam.section
         what: str = "a section by its properties"
@@ -180,22 +220,6 @@ def _structure_and_supports(model: Model) -> list[str]:
                 share=_share(beam.stiffness),
             )
         )
-    if (above := model.building) is not None:
-        count = len(above.storeys)
-        listed = f"{count} storey{'s' * (count > 1)}"
-        storeys = (
-            Message("{listed}, {height:g m} high", listed=listed, height=sum(above.storeys)) if count else "a matrix"
-        )
-        on = f"on {len(above.names)} columns and walls{_share(above.stiffness)}"
-        lines.append(Message("  building: {storeys}, {on}", storeys=storeys, on=on))
-    for number, support in enumerate(model.supports, 1):
-        *others, end = support.points
-        start = [Message("{place:at (m)}", place=point) for point in others]
-        where = joined([*start, Message("{place:at m}", place=end)], " to ")
-        firm = "elastic" if support.elastic else "rigid"
-        words = f"{support.kind}, {firm}, acts {support.acts}"
-        name = Name(support.name or str(number))
-        lines.append(Message("  support {name}: {words}, at {where}", name=name, words=words, where=where))
     return lines
 
 
