@@ -15,7 +15,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any, Literal
 
-from groundslab.messages import Clause, Listed, Message, Name, fill, written
+from groundslab.messages import Clause, Label, Listed, Message, Name, fill, written
 from groundslab.units import NUMBER
 
 #: In what language results are shown.
@@ -121,7 +121,7 @@ class Catalogue:
 
         One of labels alone, such as "error of {name}", has an entry of its own where their words change their form.
         """
-        if said in self.whole and all(type(value) is str for value in said.values.values()):
+        if said in self.whole and all(type(value) in (str, Label) for value in said.values.values()):
             return self.whole[said]
         key = said.key
         template = self.whole.get(key.strip())
