@@ -1,7 +1,8 @@
-"""Builds the pages for the browser and copies the help, before groundslab is packed or installed."""
+"""Builds the pages, copies the help and compiles catalogues of messages, before groundslab is packed or installed."""
 
 from __future__ import annotations
 
+import json
 import re
 import shutil
 import subprocess
@@ -13,6 +14,7 @@ from hatchling.builders.hooks.plugin.interface import BuildHookInterface
 
 ROOT = Path(__file__).resolve().parent
 WEB = ROOT / "web"
+LANGUAGES = ROOT / "src" / "groundslab" / "languages"
 STATIC_HELP = ROOT / "src" / "groundslab" / "workbench" / "help" / "static"
 #: Files that the workbench shows as help: patterns below the repository, copied with their paths.
 HELP = (
@@ -78,22 +80,42 @@ def copy_help(target: Path = STATIC_HELP) -> None:
         shutil.copyfile(file, copy)
 
 
+def compile_catalogues() -> None:
+    """Write each catalogue of messages as JSON, which program and pages read; those of an sdist are there already.
+
+    Translations that are marked as doubtful ("fuzzy") are left out.
+    """
+    if (ROOT / "PKG-INFO").is_file():
+        return
+    from babel.messages.pofile import read_po
+
+    target = LANGUAGES / "static"
+    target.mkdir(exist_ok=True)
+    for file in LANGUAGES.glob("*.po"):
+        with file.open("rb") as content:
+            entries = [entry for entry in read_po(content, abort_invalid=True) if entry.id and not entry.fuzzy]
+        messages = {entry.id: entry.string for entry in entries}
+        text = json.dumps(messages, ensure_ascii=False, indent=0)
+        (target / f"{file.stem}.json").write_text(text, encoding="utf-8")
+
+
 class PagesHook(BuildHookInterface):  # type: ignore[type-arg]
     """Hatchling's hook for sdists, wheels and editable installs."""
 
     def dependencies(self) -> list[str]:
-        """Return what the build needs: Node.js from PyPI where the machine has none that is recent enough."""
-        if are_pages_current() or has_node():
-            return []
-        project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
-        return list(project["dependency-groups"]["node"])
+        """Return what the build needs: Babel, and Node.js where the machine has none that is recent enough."""
+        groups = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["dependency-groups"]
+        babel = [] if (ROOT / "PKG-INFO").is_file() else groups["babel"]
+        return [*babel, *([] if are_pages_current() or has_node() else groups["node"])]
 
     def initialize(self, version: str, build_data: dict[str, Any]) -> None:  # noqa: ARG002
-        """Build the pages and copy the help."""
+        """Build the pages, copy the help and compile the catalogues."""
         build_pages()
         copy_help()
+        compile_catalogues()
 
 
 if __name__ == "__main__":
     build_pages()
     copy_help()
+    compile_catalogues()

@@ -1,5 +1,4 @@
 // Every message of the pages, and every word that they take from the schema, is in each catalogue: untranslated is an error.
-import { parse } from "smol-toml";
 import { describe, expect, it } from "vitest";
 import schemaText from "../../docs/groundslab.schema.json?raw";
 import { messagesIn, messagesOf } from "../messages";
@@ -11,17 +10,14 @@ import { FORMS } from "../src/workbench/plan/actions/forms";
 import { sheetsOf } from "../src/workbench/tables/sheets";
 import { schema } from "./workbench/schema";
 
-const TEXTS = import.meta.glob<string>("../../src/groundslab/languages/*.toml", {
+const TEXTS = import.meta.glob<string>("../../src/groundslab/languages/static/*.json", {
   query: "?raw",
   import: "default",
   eager: true,
 });
 const catalogues = Object.entries(TEXTS).map(([path, text]) => {
-  const messages = Object.entries(parse(text) as Record<string, string>);
-  return {
-    language: path.slice(-7, -5),
-    messages: new Map(messages.map(([key, value]) => [key.trim(), value.trim()])),
-  };
+  const messages = Object.entries(JSON.parse(text) as Record<string, string>);
+  return { language: path.slice(-7, -5), messages: new Map(messages) };
 });
 
 /** Models that are called by a name or a number everywhere. */

@@ -7,14 +7,15 @@ are looked up whole. See docs/decisions/0041-messages.md.
 
 from __future__ import annotations
 
+import json
 import re
-import tomllib
 from collections.abc import Callable, Container, Iterable, Mapping
 from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
 from typing import Any, Literal
 
+from groundslab.errors import GroundslabError
 from groundslab.messages import Clause, Label, Listed, Message, Name, fill, written
 from groundslab.units import NUMBER
 
@@ -175,6 +176,13 @@ def page_messages(language: Language, wanted: Container[str] | None = None) -> d
 
 @cache
 def messages(language: Language) -> Mapping[str, str]:
-    """Return the messages of a language's catalogue by their English text, without the space around them."""
-    read = tomllib.loads(Path(__file__).with_name(f"{language}.toml").read_text(encoding="utf-8"))
-    return {key.strip(): value.strip() for key, value in read.items()}
+    """Return the messages of a language's catalogue by their English text, as they were compiled of its .po file."""
+    try:
+        text = (Path(__file__).parent / "static" / f"{language}.json").read_text(encoding="utf-8")
+    except OSError:
+        raise GroundslabError(
+            f"{language}.json, the messages in {LANGUAGES[language]}, are missing from this installation; reinstall "
+            "groundslab, or build it from its source: make pages"
+        ) from None
+    read: dict[str, str] = json.loads(text)
+    return read

@@ -9,7 +9,8 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from tests.helpers.paths import ROOT
+from babel.messages.pofile import read_po
+from tests.helpers.paths import PACKAGE, ROOT
 
 from groundslab.languages import LANGUAGES, Language, translator
 from groundslab.languages.catalogue import Catalogue, messages, with_commas
@@ -40,6 +41,15 @@ def catalogue(*pairs: tuple[str, str], names: tuple[str, ...] = ()) -> Catalogue
 def test_catalogues_have_the_same_messages(language: Language) -> None:
     """No language lacks a message that another one has."""
     assert messages(language).keys() == messages("de").keys()
+
+
+@pytest.mark.parametrize("language", OTHERS)
+def test_what_is_read_was_compiled_of_the_catalogue(language: Language) -> None:
+    """The JSON has each entry of the .po file (else run make pages), and no entry is doubtful."""
+    with (PACKAGE / "languages" / f"{language}.po").open("rb") as file:
+        entries = [entry for entry in read_po(file, abort_invalid=True) if entry.id]
+    assert not [entry.id for entry in entries if entry.fuzzy]
+    assert messages(language) == {entry.id: entry.string for entry in entries}
 
 
 @pytest.mark.parametrize("language", OTHERS)
