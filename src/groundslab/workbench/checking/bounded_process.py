@@ -21,7 +21,7 @@ from pathlib import Path
 from typing import Any
 
 from groundslab.errors import GroundslabError
-from groundslab.messages import Message
+from groundslab.messages import Message, Name
 from groundslab.workbench.child_process import ChildProcess, set_up_child
 
 #: Memory that a function may use beyond what the process uses when it is ready [bytes].
@@ -145,11 +145,13 @@ class BoundedProcess:
         process.join(GRACE)
         code, used = process.exitcode, self._most_used
         self._end()
-        how = f"exit code {code}" if code is None or code >= 0 else signal.Signals(-code).name
+        is_code = code is None or code >= 0
+        how = Message("exit code {code}", code=str(code)) if is_code else Name(signal.Signals(-(code or 0)).name)
         if code in _OUT_OF_MEMORY and used > FULL * self._limit:
-            return MemoryLimit(f"more than {self._memory / 1e9:g} GB ({how})")
-        more = ", perhaps for lack of memory" if code in _OUT_OF_MEMORY else ""
-        return ProcessEnded(f"the process ended ({how}{more})")
+            return MemoryLimit(Message("more than {memory:g} GB ({how})", memory=self._memory / 1e9, how=how))
+        if code in _OUT_OF_MEMORY:
+            return ProcessEnded(Message("the process ended ({how}, perhaps for lack of memory)", how=how))
+        return ProcessEnded(Message("the process ended ({how})", how=how))
 
     def _end(self) -> None:
         """End the process, if there is one."""
@@ -165,7 +167,8 @@ def _main(pipe: Connection, prepare: Callable[[], object] | None, memory: int) -
         prepare()
     # NumPy's BLAS reserves memory as it is loaded, and ends a process that gets none
     import_module("numpy")
-    exhausted = ForkingPickler.dumps((False, MemoryLimit(f"more than {memory / 1e9:g} GB")))  # made while there is room
+    # made while there is room
+    exhausted = ForkingPickler.dumps((False, MemoryLimit(Message("more than {memory:g} GB", memory=memory / 1e9))))
     pipe.send(_limit_memory(memory))
     while True:
         try:
@@ -189,7 +192,7 @@ def _call(message: bytes, exhausted: Any) -> Any:
         content = ForkingPickler.dumps((True, function(*arguments)))
         if len(content) <= MAX_RESULT:
             return content
-        error: Exception = MemoryLimit(f"a result of more than {MAX_RESULT // 1_000_000} MB")
+        error: Exception = MemoryLimit(Message("a result of more than {size} MB", size=MAX_RESULT // 1_000_000))
     except Exception as found:
         if _is_out_of_memory(found):
             return exhausted

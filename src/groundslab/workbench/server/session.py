@@ -12,7 +12,7 @@ from typing import Any, Literal
 from groundslab.case import casefile
 from groundslab.errors import InputError, Issue
 from groundslab.exchange.reactions import Choices
-from groundslab.messages import Label
+from groundslab.messages import Label, Message, Name
 from groundslab.workbench.checking.bounded_process import BoundedProcess
 from groundslab.workbench.checking.drawings import ConvertedDrawing, DrawingReader
 from groundslab.workbench.checking.reactions import ReactionPreview, ReactionReader
@@ -93,7 +93,11 @@ class Session:
             target = case_file.resolve_path(name, present.folder)
             content, offers = case_file.read_content(target), Autosave(target, self._state).find_earlier()
             if content is None and not offers:
-                hint = f"groundslab new {target.name} makes one" if files.try_check(target.parent.is_dir) else ""
+                hint = (
+                    Message("{command} makes one", command=Name(f"groundslab new {target.name}"))
+                    if files.try_check(target.parent.is_dir)
+                    else ""
+                )
                 raise InputError([Issue(str(target), "no file of that name", "a case file", hint)])
             # unsaved work whose file is gone takes its place
             document = Document.from_bytes(content, str(target)) if content is not None else offers[0].document
