@@ -221,7 +221,8 @@ def _control(
 
     line, legs = lines
     course = line_properties.course(line.ring, around.axes)
-    center = line_properties.centroid(legs)
+    # at the face of a column in a notch nothing may be left
+    center = line_properties.centroid(legs) if len(legs) else np.array(around.center)
     frame = course.frame
     points = get_coordinates(around.footprint)
     c_1, c_2 = np.ptp(points @ frame.T, axis=0)
@@ -231,7 +232,7 @@ def _control(
         line_properties.total_length(legs),
         center,
         course,
-        line_properties.moduli(legs @ frame.T, frame @ center),
+        line_properties.moduli(legs @ frame.T, frame @ center) if len(legs) else np.full(2, np.inf),
         np.array([en1992.transfer_share(c_1 / c_2), en1992.transfer_share(c_2 / c_1)]),
         reduced,
         line.opened or legs is not line.legs,
@@ -349,7 +350,9 @@ def _demand(results: CombinationResult, site: _Site, face: ControlPerimeter | st
     ratio = min(site.ratio, en1992.most_bars(concrete, bars))
     v_Rd_c = en1992.resistance_without_links(concrete, site.d, ratio)
     force = float(site.punching.pushing(results)[0])
-    at_face = None if isinstance(face, str) else _face_stress(results, site, face, controls[-1] if controls else face)
+    at_face = None
+    if not isinstance(face, str) and np.isfinite((outer := controls[-1] if controls else face).moduli).all():
+        at_face = _face_stress(results, site, face, outer)
     about = site.punching.name, results.combination, results.limit_state, force, site.d
     return Demand(*about, v_Rd_c, at_face, stresses, ratio, site.punching.pulls, site.punching.place)
 
