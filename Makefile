@@ -28,7 +28,7 @@ unexport PYTHONDONTWRITEBYTECODE
 QUIET     := --quiet --disable-pip-version-check
 INSTALL   := $(BIN)/python -m pip install $(QUIET)
 # a process takes neighboring tests, which share what their module has solved, and the others' when it has no more
-PYTEST     = OMP_NUM_THREADS=1 $(BIN)/python -m pytest -n $(JOBS) --dist worksteal --durations 25 --record out/$@.txt $(OPTIONS)
+PYTEST     = OMP_NUM_THREADS=1 $(BIN)/python -m pytest -n $(JOBS) --dist worksteal --durations 25 --record=out/$@.txt $(OPTIONS)
 # Node.js of lock/node.txt, where the machine has none that is recent enough
 WITH_NODE := PATH="$$PWD/$(BIN):$$PATH"
 COMPILE   := $(BIN)/uv pip compile --quiet --universal --python-version 3.11 --generate-hashes --no-header --no-emit-index-url --no-annotate --no-strip-extras
