@@ -10,12 +10,12 @@ from html import unescape
 
 import pytest
 from tests.helpers.combinations import few
+from tests.helpers.languages import in_language
 from tests.helpers.paths import EXAMPLES
 
 from groundslab.analysis.driver import solve
 from groundslab.case.casefile import load
 from groundslab.languages import LANGUAGES, Language
-from groundslab.languages.catalogue import Catalogue
 from groundslab.results.results import Results
 from groundslab.views import translation
 from groundslab.views.plots import plot
@@ -27,48 +27,6 @@ from groundslab.views.tables.table import WORDS
 OTHERS: list[Language] = [language for language in LANGUAGES if language != "en"]
 #: Numbers as English writes them and the other languages do.
 NUMBER = re.compile(r"(?<![\w.,])\d+(?:[.,]\d+)?(?!\w|[.,]\d)")
-
-
-NO_DRAWING = b'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 1 1"/>'
-
-
-#: Examples whose reports have the same sentences with few combinations as with all.
-OF_FEW = {"bearing_walls", "combined_footing", "pad", "raft_on_continuum", "raft_under_a_frame", "ribbed_raft"}
-
-
-@pytest.fixture(scope="module", params=sorted(path.stem for path in EXAMPLES.glob("*.toml")))
-def solved(request: pytest.FixtureRequest) -> Results:
-    """Return the results of an example on a coarse mesh."""
-    model = load(EXAMPLES / f"{request.param}.toml")
-    model = few(model) if request.param in OF_FEW else model
-    return solve(model.replace(mesh={"size": max(model.sides) / 8}))
-
-
-def in_language(results: Results, language: Language) -> Results:
-    """Return results of a case that asks for a language."""
-    project = {} if results.model.project is None else results.model.project.model_dump()
-    model = results.model.replace(project={**project, "language": language})
-    placed = results.solved_model.replace(project={**project, "language": language})
-    kept = {name: replace(each, model=model, solved_model=placed) for name, each in results.results.items()}
-    return replace(results, model=model, results=kept)
-
-
-@pytest.mark.slow
-def test_reports_leave_no_word_in_english(solved: Results, monkeypatch: pytest.MonkeyPatch) -> None:
-    """No text of a report or a table lacks a translation, nor a part of one; all catalogues have the same messages."""
-    results = in_language(solved, "de")
-    known = translation.translator_of(results)
-    assert isinstance(known, Catalogue)
-    translate = replace(known, unknown=[])
-    monkeypatch.setattr("groundslab.views.report.html.translator_of", lambda _: translate)
-    monkeypatch.setattr(translation, "translator_of", lambda _: translate)
-    # words of drawings are translated before these are drawn, which takes long and adds none
-    monkeypatch.setattr("matplotlib.figure.Figure.savefig", lambda _, file, **__: file.write(NO_DRAWING))
-    chapters = [name for name in results.model.report.chapters if name != "viewer"]
-    page = render_report(results, chapters=[*chapters, "long_tables"])
-    assert len(list(translation.translated_tables(results))) > 3
-    assert sorted(set(translate.unknown or ())) == []
-    assert '<html lang="de">' in page
 
 
 @pytest.fixture(scope="module")

@@ -9,7 +9,6 @@ from typing import Any
 import pytest
 
 from groundslab.analysis import driver
-from groundslab.case import casefile
 from groundslab.cli import main
 from groundslab.errors import GroundslabError, IllConditioned, NotConverged
 from groundslab.results.results import Results
@@ -17,8 +16,7 @@ from groundslab.views.files import results_folder
 from groundslab.views.interface import documents, shapes
 from groundslab.views.summary import json_summary
 from helpers import small_case, synthetic
-from helpers.combinations import few
-from helpers.paths import DOCS, EXAMPLES
+from helpers.documents import validate
 from helpers.studies import write
 
 #: A pad of 75 kN; under 100 kN with 300 kNm the resultant leaves it, so nothing balances the second combination.
@@ -33,24 +31,6 @@ loads = [
 ]
 combinations = [{ name = "dead", factors = { G = 1 } }, { name = "wind", factors = { G = 1, W = 1 } }]
 """
-
-
-def closed(schema: Any) -> Any:
-    """Return a schema that allows no other keys than those it names."""
-    if isinstance(schema, list):
-        return [closed(part) for part in schema]
-    if not isinstance(schema, dict):
-        return schema
-    named = {"additionalProperties": False} if "properties" in schema else {}
-    return {**named, **{key: closed(part) for key, part in schema.items()}}
-
-
-def validate(document: dict[str, Any], name: str) -> None:
-    """Fail if a document does not have a shape, or has a key that the shape does not name."""
-    jsonschema = pytest.importorskip("jsonschema")  # it takes seconds to load
-    schema = json.loads((DOCS / "interface" / f"{name}.schema.json").read_text(encoding="utf-8"))
-    jsonschema.Draft202012Validator.check_schema(schema)
-    jsonschema.validate(document, closed(schema))
 
 
 @pytest.fixture
@@ -212,20 +192,3 @@ def test_one_version_and_every_shape_has_words() -> None:
     for name in shapes.DOCUMENTS:
         schema = shapes.json_schema(name)
         assert all(part.get("description") for part in [schema, *schema["$defs"].values()] if "properties" in part)
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize(
-    "name",
-    ["pad", "table1", "tank", "ribbed_raft", "industrial_floor", "us_mat", "raft_on_continuum", "cracked_footing"],
-)
-def test_examples(name: str, folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    """Check, summary and tables of examples with different ground, structure and codes, on coarse meshes."""
-    model = few(casefile.load(EXAMPLES / f"{name}.toml"))
-    coarse = casefile.to_toml(model.replace(mesh={"size": max(model.sides) / 8}))
-    (folder / "coarse.toml").write_text(coarse, encoding="utf-8")
-    validate(run(capsys, "check", "coarse.toml")[1], "check")
-    code, summary = run(capsys, "solve", "coarse.toml", "--out", "results")
-    assert code in (0, 3)
-    validate(summary, "summary")
-    validate(run(capsys, "tables", "results")[1], "tables")

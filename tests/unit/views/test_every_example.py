@@ -1,0 +1,64 @@
+"""What is made of every example: all words are translated, JSON has the shapes that docs/interface promises."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+from typing import Any
+
+import pytest
+from tests.helpers.combinations import few
+from tests.helpers.documents import validate
+from tests.helpers.languages import in_language
+from tests.helpers.paths import EXAMPLES
+
+from groundslab.analysis.driver import solve
+from groundslab.case.casefile import load
+from groundslab.languages.catalogue import Catalogue
+from groundslab.results.results import Results
+from groundslab.views import translation
+from groundslab.views.interface.documents import tables_to_json
+from groundslab.views.report.html import render_report
+from groundslab.views.summary import json_summary
+
+NO_DRAWING = b'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 1 1"/>'
+#: Examples whose reports have the same sentences with few combinations as with all.
+OF_FEW = {"bearing_walls", "combined_footing", "pad", "raft_on_continuum", "raft_under_a_frame", "ribbed_raft"}
+
+
+@pytest.fixture(scope="module", params=sorted(path.stem for path in EXAMPLES.glob("*.toml")))
+def solved(request: pytest.FixtureRequest) -> Results:
+    """Return the results of an example on a coarse mesh."""
+    model = load(EXAMPLES / f"{request.param}.toml")
+    model = few(model) if request.param in OF_FEW else model
+    return solve(model.replace(mesh={"size": max(model.sides) / 8}))
+
+
+@pytest.mark.slow
+def test_reports_leave_no_word_in_english(solved: Results, monkeypatch: pytest.MonkeyPatch) -> None:
+    """No text of a report or a table lacks a translation, nor a part of one; all catalogues have the same messages."""
+    results = in_language(solved, "de")
+    known = translation.translator_of(results)
+    assert isinstance(known, Catalogue)
+    translate = replace(known, unknown=[])
+    monkeypatch.setattr("groundslab.views.report.html.translator_of", lambda _: translate)
+    monkeypatch.setattr(translation, "translator_of", lambda _: translate)
+    # words of drawings are translated before these are drawn, which takes long and adds none
+    monkeypatch.setattr("matplotlib.figure.Figure.savefig", lambda _, file, **__: file.write(NO_DRAWING))
+    chapters = [name for name in results.model.report.chapters if name != "viewer"]
+    page = render_report(results, chapters=[*chapters, "long_tables"])
+    assert len(list(translation.translated_tables(results))) > 3
+    assert sorted(set(translate.unknown or ())) == []
+    assert '<html lang="de">' in page
+
+
+@pytest.mark.slow
+def test_documents_have_their_shapes(solved: Results) -> None:
+    """Summary and tables, whatever ground, structure and code a case has."""
+    validate(read_again(json_summary.to_json(solved)), "summary")
+    validate(read_again(tables_to_json(solved)), "tables")
+
+
+def read_again(document: dict[str, Any]) -> Any:
+    """Return a document as who reads it gets it."""
+    return json.loads(json.dumps(document))
