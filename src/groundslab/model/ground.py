@@ -52,7 +52,7 @@ def _check_stiffness(k: float | None, selvadurai: Selvadurai | None) -> Iterator
 class Winkler(Section):
     """Independent springs."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_check_stiffness,)
+    constraints: ClassVar[tuple[Check, ...]] = (_check_stiffness,)
 
     kind: Annotated[Literal["winkler"], Table("independent springs")] = "winkler"
     k: Annotated[
@@ -90,7 +90,7 @@ def _check_variation(variation: str, E_bottom: float | None, given: set[str]) ->
 class SoilLayer(Section):
     """A layer of soil given by its elastic constants."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_check_variation,)
+    constraints: ClassVar[tuple[Check, ...]] = (_check_variation,)
 
     E: Annotated[
         float, Quantity("pressure", "E", "Young's modulus, at the top of the layer", POSITIVE, example="20 MPa")
@@ -156,7 +156,7 @@ def _check_formulas(layers: tuple[SoilLayer, ...], formulas: str) -> Iterator[Re
 class Vlasov(Section):
     """Soil layers whose settlement follows one mode over the whole depth."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_check_vlasov_sublayers, _check_mode, _check_formulas)
+    constraints: ClassVar[tuple[Check, ...]] = (_check_vlasov_sublayers, _check_mode, _check_formulas)
 
     kind: Annotated[Literal["vlasov"], Table("soil layers that settle in one mode over the depth")] = "vlasov"
     layers: Annotated[tuple[SoilLayer, ...], Table("the layers, from the top downwards")]
@@ -208,7 +208,7 @@ def _check_gamma(
 class Layered(Section):
     """A stack of layers with an unknown settlement at each surface between them."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_check_layer_kinds, _check_sublayers, _check_gamma)
+    constraints: ClassVar[tuple[Check, ...]] = (_check_layer_kinds, _check_sublayers, _check_gamma)
 
     kind: Annotated[Literal["layered"], Table("a stack of layers, each surface with its own settlement")] = "layered"
     coupling: Annotated[
@@ -266,7 +266,7 @@ def _check_continuum(layers: tuple[SoilLayer, ...], half_space: HalfSpace | None
 class Continuum(Section):
     """Bonded elastic layers, isotropic and laterally unbounded, on a rigid base or a half-space."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_check_vlasov_sublayers, _check_continuum)
+    constraints: ClassVar[tuple[Check, ...]] = (_check_vlasov_sublayers, _check_continuum)
 
     kind: Annotated[Literal["continuum"], Table("bonded elastic layers that spread loads in all directions")] = (
         "continuum"
@@ -311,7 +311,7 @@ def _check_reloading(reloading: float | None, relief: float) -> Iterator[Relativ
 class ConstrainedModulus(Section):
     """Layers that are compressed by the stresses of a homogeneous half-space (DIN 4019, EN 1997-1 annex F)."""
 
-    checks: ClassVar[tuple[Check, ...]] = (
+    constraints: ClassVar[tuple[Check, ...]] = (
         _check_vlasov_sublayers,
         _check_limit_depth,
         _check_groundwater,

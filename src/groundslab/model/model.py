@@ -56,7 +56,7 @@ def _annex_of_actions(combine: Combine | None, reinforcement: Reinforcement | No
 class Model(Section):
     """A model: plate, ground, loads, combinations, and settings of the analysis."""
 
-    checks: ClassVar[tuple[Check, ...]] = consistency.CHECKS
+    constraints: ClassVar[tuple[Check, ...]] = consistency.CHECKS
 
     title: Annotated[str, Text("title of the problem")] = ""
     project: Annotated[Project | None, Table("title block of the report")] = None

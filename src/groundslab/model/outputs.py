@@ -106,7 +106,7 @@ def _check_line_length(start: tuple[float, float], end: tuple[float, float]) -> 
 class OutputLine(Section):
     """A straight section line along which all fields are listed."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_check_line_length,)
+    constraints: ClassVar[tuple[Check, ...]] = (_check_line_length,)
 
     name: Annotated[str, Text("name of the line")]
     start: Annotated[tuple[float, float], Place]
@@ -116,7 +116,7 @@ class OutputLine(Section):
 class OutputStrip(Section):
     """A design strip: moments across it, as integrals over its width and per meter."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_check_line_length,)
+    constraints: ClassVar[tuple[Check, ...]] = (_check_line_length,)
 
     name: Annotated[str, Text("name of the strip")]
     start: Annotated[tuple[float, float], Place]
@@ -144,7 +144,7 @@ def _check_strip_names(strips: tuple[OutputStrip, ...]) -> Iterator[RelativeIssu
 class Output(Section):
     """Where values are listed."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_check_point_names, _check_line_names, _check_strip_names)
+    constraints: ClassVar[tuple[Check, ...]] = (_check_point_names, _check_line_names, _check_strip_names)
 
     points: Annotated[tuple[OutputPoint, ...], Table("points at which all fields are listed", 10_000)] = ()
     lines: Annotated[tuple[OutputLine, ...], Table("section lines along which all fields are listed")] = ()

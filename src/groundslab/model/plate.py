@@ -35,7 +35,7 @@ def _check_zone_differs(thickness: float | None, E: float | None, nu: float | No
 class Zone(Section):
     """A part of the plate with another thickness or material; the last zone that covers a place counts."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_check_zone_differs,)
+    constraints: ClassVar[tuple[Check, ...]] = (_check_zone_differs,)
 
     shape: Annotated[Shape, Table("where; what reaches over the plate's edge is cut off")]
     thickness: Annotated[
@@ -119,7 +119,7 @@ def check_geometry(
 class Plate(Section):
     """The plate: a rectangle about the origin, or any outline."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_check_outline, _check_edges, _check_hinged_edges, _check_geometry)
+    constraints: ClassVar[tuple[Check, ...]] = (_check_outline, _check_edges, _check_hinged_edges, _check_geometry)
 
     name: Annotated[str, Text("name of the plate, needed if there are several and loads name it")] = ""
     length_x: Annotated[

@@ -89,7 +89,7 @@ class Reactions(Section):
     The analysis doesn't use it. The loads that came from the table have a `source`.
     """
 
-    checks: ClassVar[tuple[Check, ...]] = (_check_units, _check_names)
+    constraints: ClassVar[tuple[Check, ...]] = (_check_units, _check_names)
 
     file: Annotated[str, Text("name of the file that was imported last, for reference")] = ""
     sheet: Annotated[str, Text("sheet of a workbook, where several have reactions")] = ""

@@ -54,7 +54,7 @@ def _check_edge(kind: str, edge: str, given: set[str]) -> Iterator[RelativeIssue
 class Beyond(Section):
     """The ground beyond the plate; without effect where the ground carries no shear, as springs do not reach there."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_check_width, _check_edge)
+    constraints: ClassVar[tuple[Check, ...]] = (_check_width, _check_edge)
 
     kind: Annotated[
         Reach,
@@ -107,7 +107,7 @@ def _check_limit_pressure(tensionless: bool, limit_pressure: float | None) -> It
 class Contact(Section):
     """Contact between plate and ground."""
 
-    checks: ClassVar[tuple[Check, ...]] = (
+    constraints: ClassVar[tuple[Check, ...]] = (
         _check_gap,
         _check_voids,
         _check_gaps,
@@ -170,7 +170,7 @@ def _check_max_unknowns(
 class Mesh(Section):
     """The mesh of the plate; without size and counts it is refined until the results are accurate enough."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_check_size, _check_max_unknowns)
+    constraints: ClassVar[tuple[Check, ...]] = (_check_size, _check_max_unknowns)
 
     size: Annotated[
         float | None,

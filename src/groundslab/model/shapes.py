@@ -64,7 +64,7 @@ def _check_crossings(points: tuple[tuple[float, float], ...], bulges: tuple[floa
 class Polygon(Section):
     """A closed curve through points, its edges straight or arcs."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_check_points, _check_crossings)
+    constraints: ClassVar[tuple[Check, ...]] = (_check_points, _check_crossings)
 
     kind: Annotated[Literal["polygon"], Table("a closed curve through points")] = "polygon"
     points: Annotated[

@@ -129,7 +129,7 @@ class _AtPoint(Section):
 class PointSupport(_AtPoint):
     """A support at a point, such as a column below or a pile."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_check_one_sided, _check_rotation, _check_limit_is, _check_factor)
+    constraints: ClassVar[tuple[Check, ...]] = (_check_one_sided, _check_rotation, _check_limit_is, _check_factor)
 
     kind: Annotated[Literal["point"], Table("support at a point, such as a column below or a pile")] = "point"
     diameter: Annotated[
@@ -180,7 +180,7 @@ def _check_line_rotation(rotation: str, stiffness: float | None, acts: str) -> I
 class LineSupport(Section):
     """A support along straight lines, such as a wall or a beam below; rigid lines hinge or clamp the plate."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_check_one_sided, _check_line_rotation, _check_limit_is, _check_factor)
+    constraints: ClassVar[tuple[Check, ...]] = (_check_one_sided, _check_line_rotation, _check_limit_is, _check_factor)
 
     follow: ClassVar[Mapping[str, tuple[str, ...]]] = {"at": ("points",)}
 
@@ -230,7 +230,7 @@ def _check_slenderness(length: float, diameter: float) -> Iterator[RelativeIssue
 class Pile(_AtPoint):
     """A pile below the plate, whose stiffness follows from the ground; ground and other piles settle it, too."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_check_slenderness, _check_pile_limit_is, _check_pile_factors)
+    constraints: ClassVar[tuple[Check, ...]] = (_check_slenderness, _check_pile_limit_is, _check_pile_factors)
 
     kind: Annotated[Literal["pile"], Table("a pile in ground of elastic layers, which give its stiffness")] = "pile"
     length: Annotated[float, Quantity("length", "l", "length below the plate", POSITIVE, example="12 m")]

@@ -53,7 +53,7 @@ def _check_depth(layers: tuple[SoilLayer, ...]) -> Iterator[RelativeIssue]:
 class Borehole(Section):
     """A place where the layers are known; between boreholes they are interpolated."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_check_depth,)
+    constraints: ClassVar[tuple[Check, ...]] = (_check_depth,)
 
     name: Annotated[str, Text("name of the borehole, for reference")] = ""
     x: Annotated[float, coordinate(0, "position, on or off the plate")]
@@ -185,7 +185,7 @@ def _check_extent(
 class Void(Section):
     """A part of the plan where the ground lies deeper, or is missing."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_check_extent,)
+    constraints: ClassVar[tuple[Check, ...]] = (_check_extent,)
 
     depth: Annotated[
         float | None,

@@ -27,7 +27,7 @@ Check = Callable[..., Iterator[RelativeIssue]]
 class Section(metaclass=SectionType):
     """A section of a model: immutable, without unknown keys, its issues reported at once as InputError."""
 
-    checks: ClassVar[tuple[Check, ...]] = ()
+    constraints: ClassVar[tuple[Check, ...]] = ()
     #: Keys that follow from another one where that is given: files need them then no more, and leave them out.
     follow: ClassVar[Mapping[str, tuple[str, ...]]] = {}
     #: Keys that mean something only where another one has a value: pages offer them there alone.
@@ -119,7 +119,7 @@ class Section(metaclass=SectionType):
         }
         sound = cls.derive(sound, named)
         names = sound.keys() | {"given"}
-        for check in cls.checks:
+        for check in cls.constraints:
             needs = _needs(check)
             if names >= needs:
                 relative_issues += check(**{name: given if name == "given" else sound[name] for name in needs})

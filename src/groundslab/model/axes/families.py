@@ -100,7 +100,7 @@ Names = Annotated[
 class StraightAxes(Section):
     """Parallel axes."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_check_names, _check_count_of_straight)
+    constraints: ClassVar[tuple[Check, ...]] = (_check_names, _check_count_of_straight)
 
     kind: Annotated[Literal["straight"], Table("parallel axes")] = "straight"
     first: FirstName = "A"
@@ -130,7 +130,7 @@ class StraightAxes(Section):
 class RayAxes(Section):
     """Axes that begin at a center."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_check_names, _check_count_of_rays)
+    constraints: ClassVar[tuple[Check, ...]] = (_check_names, _check_count_of_rays)
 
     kind: Annotated[Literal["ray"], Table("axes that begin at a center")] = "ray"
     first: FirstName = "1"
@@ -154,7 +154,7 @@ class RayAxes(Section):
 class RingAxes(Section):
     """Axes that are circles about a center."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_check_names, _check_count_of_rings)
+    constraints: ClassVar[tuple[Check, ...]] = (_check_names, _check_count_of_rings)
 
     kind: Annotated[Literal["ring"], Table("axes that are circles about a center")] = "ring"
     first: FirstName = "A"

@@ -94,7 +94,7 @@ def _check_bars_or_mesh(
 class BarZone(Section):
     """Further bars in a part of the plan, between those of the layer; where zones overlap their bars add up."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_check_bars_or_mesh,)
+    constraints: ClassVar[tuple[Check, ...]] = (_check_bars_or_mesh,)
 
     name: Annotated[str, Text("name of the zone")]
     shape: Annotated[Shape, Table("where; what reaches over the plate's edge is cut off")]

@@ -88,7 +88,7 @@ def _check_transfer(joint_transfer: float, R_e3: float | None, given: set[str]) 
 class TR34Floor(_Floor):
     """A floor by TR34, fourth edition: yield lines in the ultimate combinations."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_check_restraint, check_concrete, _check_sagging, _check_bars)
+    constraints: ClassVar[tuple[Check, ...]] = (_check_restraint, check_concrete, _check_sagging, _check_bars)
 
     kind: Annotated[Literal["TR34"], Table("Concrete Society TR34, fourth edition: yield lines")] = "TR34"
     concrete: Annotated[ConcreteClass | None, ConcreteChoice] = None
@@ -131,7 +131,7 @@ class TR34Floor(_Floor):
 class ACI360Floor(_Floor):
     """A floor by ACI 360R-10 and PCA: flexural stresses in the combinations of serviceability."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_check_restraint, _check_transfer)
+    constraints: ClassVar[tuple[Check, ...]] = (_check_restraint, _check_transfer)
 
     kind: Annotated[Literal["ACI 360"], Table("ACI 360R-10 and PCA: flexural stresses")] = "ACI 360"
     f_r: Annotated[float, Quantity("pressure", "f_r", "modulus of rupture of the concrete", RUPTURE, example="4 MPa")]

@@ -23,7 +23,7 @@ def _check_any(given: set[str]) -> Iterator[RelativeIssue]:
 class Limits(Section):
     """Limits in the combinations of serviceability, characteristic, frequent, quasi-permanent; none unless given."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_check_any,)
+    constraints: ClassVar[tuple[Check, ...]] = (_check_any,)
 
     settlement: Annotated[float | None, Quantity("length", "w", "largest settlement", POSITIVE, example="25 mm")] = None
     uplift: Annotated[float | None, Quantity("length", "-w", "largest uplift", POSITIVE, example="5 mm")] = None
@@ -67,7 +67,7 @@ def _check_strength(phi: float | None, c_u: float | None, c: float, delta: float
 class SoilStrength(Section):
     """Characteristic strength of the soil, and the partial factors of EN 1997-1, by default of design approach 2."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_check_strength,)
+    constraints: ClassVar[tuple[Check, ...]] = (_check_strength,)
 
     phi: Annotated[float | None, Number("phi'", "angle of shearing resistance in degrees, drained", ANGLE)] = None
     c: Annotated[float, Quantity("pressure", "c'", "effective cohesion", NOT_NEGATIVE, example="10 kPa")] = 0.0

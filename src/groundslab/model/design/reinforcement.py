@@ -187,7 +187,7 @@ def _to_axis(face: str) -> ListOf:
 class Reinforcement(Section):
     """Concrete, steel and where the bars lie, for reinforcement by EN 1992-1-1, both generations, or ACI 318."""
 
-    checks: ClassVar[tuple[Check, ...]] = (
+    constraints: ClassVar[tuple[Check, ...]] = (
         _check_code, check_concrete, _check_steel, _check_all_layers, _check_axes, _check_cover, _check_meshes,
         _check_zones, _check_fire,
     )  # fmt: skip

@@ -108,7 +108,7 @@ def _on_wall(load: OnLine, walls: tuple[Wall, ...]) -> OnLine:
 class LineLoad(_Load):
     """A force per length along a line of straight pieces and arcs, along the edge of a shape, or on a wall."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_check_force, check_line_length)
+    constraints: ClassVar[tuple[Check, ...]] = (_check_force, check_line_length)
     follow: ClassVar[Mapping[str, tuple[str, ...]]] = {"at": ("points",)}
 
     kind: Annotated[Literal["line"], Table("force per length along a line of straight pieces and arcs")] = "line"
@@ -145,7 +145,7 @@ class LineLoad(_Load):
 class LineMoment(_Load):
     """A moment per length along a line of straight pieces and arcs, along the edge of a shape, or on a wall."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_check_moment, check_line_length)
+    constraints: ClassVar[tuple[Check, ...]] = (_check_moment, check_line_length)
     follow: ClassVar[Mapping[str, tuple[str, ...]]] = {"at": ("points",)}
 
     kind: Annotated[

@@ -48,7 +48,7 @@ def _check_psi(action: str, psi_1: float, psi_2: float) -> Iterator[RelativeIssu
 class LoadCase(Section):
     """Loads that always act together."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_check_psi,)
+    constraints: ClassVar[tuple[Check, ...]] = (_check_psi,)
     only_if: ClassVar[Mapping[tuple[str, str], tuple[str, ...]]] = {
         ("action", "variable"): ("category", "psi_0", "psi_1", "psi_2", "group")
     }
@@ -111,7 +111,7 @@ def _check_factors(factors: tuple[tuple[str, float], ...]) -> Iterator[RelativeI
 class Combination(Section):
     """Load cases that act together, each with a factor."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_check_factors,)
+    constraints: ClassVar[tuple[Check, ...]] = (_check_factors,)
 
     name: Annotated[str, Text("name of the combination")]
     limit_state: Annotated[LimitState, Choice(LimitState, "its limit state", "")] = "ultimate"
@@ -160,7 +160,7 @@ def _check_expression(expression: str, given: set[str]) -> Iterator[RelativeIssu
 class Combine(Section):
     """Automatic combinations of the load cases by EN 1990, or by ACI 318 and ASCE 7."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_check_partial_factors, _check_expression)
+    constraints: ClassVar[tuple[Check, ...]] = (_check_partial_factors, _check_expression)
 
     sets: Annotated[
         tuple[LimitState, ...],

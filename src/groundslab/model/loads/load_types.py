@@ -126,7 +126,7 @@ def _check_holes(shape: AnyShape, holes: tuple[AnyShape, ...]) -> Iterator[Relat
 class AreaLoad(_PressureOnPart):
     """A pressure on a part of any shape."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_check_holes,)
+    constraints: ClassVar[tuple[Check, ...]] = (_check_holes,)
 
     kind: Annotated[Literal["area"], Table("pressure on a part of any shape")] = "area"
     shape: Annotated[Shape, Table("where; what lies off the surface that it presses on does not act, and is reported")]
@@ -190,7 +190,7 @@ def _check_angle(width_x: float | None, diameter: float | None, angle: float, co
 class PointLoad(_Load):
     """A force and moments at a point, on a footprint or on a column."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_check_position, check_footprint, _check_angle)
+    constraints: ClassVar[tuple[Check, ...]] = (_check_position, check_footprint, _check_angle)
     follow: ClassVar[Mapping[str, tuple[str, ...]]] = {"at": ("x", "y")}
 
     kind: Annotated[Literal["point"], Table("force and moments at a point, on a footprint or on a column")] = "point"

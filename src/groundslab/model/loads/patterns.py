@@ -51,7 +51,7 @@ Offset = Quantity("length", "y", "", example="1.1 m")
 class Wheel(Section):
     """A wheel of a vehicle, or any other force of a pattern."""
 
-    checks: ClassVar[tuple[Check, ...]] = (check_footprint,)
+    constraints: ClassVar[tuple[Check, ...]] = (check_footprint,)
 
     P: Annotated[float, Quantity("force", "P", "force, downwards positive", example="40 kN")]
     x: Annotated[
@@ -80,7 +80,7 @@ class Vehicle(Section):
 class Rack(Section):
     """A rack: frames one behind the other, each with the same legs."""
 
-    checks: ClassVar[tuple[Check, ...]] = (check_footprint,)
+    constraints: ClassVar[tuple[Check, ...]] = (check_footprint,)
 
     kind: Annotated[Literal["rack"], Table("legs of racks, in frames one behind the other")] = "rack"
     name: Annotated[str, Text("name of the pattern, used by moves")]
@@ -124,7 +124,7 @@ def _check_path(points: tuple[tuple[float, float], ...], step: float | None) -> 
 class Move(Section):
     """Where a pattern stands, or the path along which it moves."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_check_path,)
+    constraints: ClassVar[tuple[Check, ...]] = (_check_path,)
 
     name: Annotated[str, Text("name of the path, needed where a case has several")] = ""
     pattern: Annotated[str, Text("name of the pattern, one of [[patterns]]")]

@@ -37,7 +37,7 @@ def _check_dowel(diameter: float | None, width: float | None, height: float | No
 class Dowels(Section):
     """Dowels of steel across a joint, round bars or plates, which carry what the joint does."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_check_dowel,)
+    constraints: ClassVar[tuple[Check, ...]] = (_check_dowel,)
 
     diameter: Annotated[
         float | None, Quantity("length", "d", "diameter of round dowels", STEEL_SIZE, example="20 mm")
@@ -59,7 +59,7 @@ class Dowels(Section):
 class _Joint(Section):
     """What all joints have."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_check_two,)
+    constraints: ClassVar[tuple[Check, ...]] = (_check_two,)
 
     kind: str
     name: Annotated[str, Text("name of the joint, for reference")] = ""

@@ -41,7 +41,7 @@ class _Joined(Protocol):
 class FurtherPlate(Section):
     """A further plate on the same ground, apart from the first one: its elements are of the same type."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_check_geometry,)
+    constraints: ClassVar[tuple[Check, ...]] = (_check_geometry,)
 
     name: Annotated[str, Text("name of the plate, used by loads")]
     outline: Annotated[Shape, Table("its outline, of any shape")]

@@ -100,7 +100,7 @@ def _check_eccentricity(area: float | None, eccentricity: float | None) -> Itera
 class RibSection(_Rectangle):
     """A rib below or above the plate, a strip of which is its flange."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_check_flange,)
+    constraints: ClassVar[tuple[Check, ...]] = (_check_flange,)
 
     kind: Annotated[Literal["rib"], Table("a rib below or above the plate, a strip of which is its flange")] = "rib"
     effective_width: Annotated[
@@ -130,7 +130,7 @@ class RibSection(_Rectangle):
 class GivenSection(Section):
     """A section of which the properties are given, such as of steel."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_check_eccentricity,)
+    constraints: ClassVar[tuple[Check, ...]] = (_check_eccentricity,)
 
     kind: Annotated[Literal["properties"], Table("a section of which the properties are given, such as of steel")] = (
         "properties"
@@ -186,7 +186,7 @@ class Beam(Section):
     Else its axis is taken to lie in the plate's middle plane.
     """
 
-    checks: ClassVar[tuple[Check, ...]] = (_check_points_or_shape, check_line_length, _check_ends)
+    constraints: ClassVar[tuple[Check, ...]] = (_check_points_or_shape, check_line_length, _check_ends)
     follow: ClassVar[Mapping[str, tuple[str, ...]]] = {"at": ("points",)}
 
     name: Annotated[str, Text("name of the beam")]

@@ -181,7 +181,7 @@ class Building(Section):
     follows from the stiffness.
     """
 
-    checks: ClassVar[tuple[Check, ...]] = (_check_file, _check_kind, _check_storeys, _check_matrix)
+    constraints: ClassVar[tuple[Check, ...]] = (_check_file, _check_kind, _check_storeys, _check_matrix)
 
     storeys: Annotated[
         tuple[float, ...], ListOf(Quantity("length", "h", "", POSITIVE, example="3 m"), "h",

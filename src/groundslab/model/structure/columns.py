@@ -68,7 +68,7 @@ def _check_footprint_given(
 class Column(Section):
     """A column that stands on the plate."""
 
-    checks: ClassVar[tuple[Check, ...]] = (check_footprint, _check_footprint_given, check_angle)
+    constraints: ClassVar[tuple[Check, ...]] = (check_footprint, _check_footprint_given, check_angle)
     follow: ClassVar[Mapping[str, tuple[str, ...]]] = {"at": ("x", "y")}
 
     name: Annotated[str, Text("name of the column, used by loads")]

@@ -76,7 +76,7 @@ def _check_height(height: float | None, given: set[str]) -> Iterator[RelativeIss
 class WallOpening(Section):
     """An opening in a wall that has a height."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_check_ends,)
+    constraints: ClassVar[tuple[Check, ...]] = (_check_ends,)
 
     start: Annotated[
         float, Quantity("length", "s_1", "where it begins, along the axis", Range(at_least=0), example="1 m")
@@ -91,7 +91,7 @@ class Wall(Section):
     One along an edge of a plate has an axis once it is placed by `on`.
     """
 
-    checks: ClassVar[tuple[Check, ...]] = (_check_place, check_line_length, _check_height)
+    constraints: ClassVar[tuple[Check, ...]] = (_check_place, check_line_length, _check_height)
     follow: ClassVar[Mapping[str, tuple[str, ...]]] = {"at": ("points",)}
 
     name: Annotated[str, Text("name of the wall, used by loads")]

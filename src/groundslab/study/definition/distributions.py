@@ -34,7 +34,7 @@ High = Annotated[Raw, Amount("b", "largest value")]
 class _Moments(Section):
     """A distribution by its mean and its standard deviation or coefficient of variation."""
 
-    checks: ClassVar[tuple[Check, ...]] = (require_one("cov", "std"),)
+    constraints: ClassVar[tuple[Check, ...]] = (require_one("cov", "std"),)
 
     kind: str
     mean: Annotated[Raw, Amount("mu", "mean")]

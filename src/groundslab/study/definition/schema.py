@@ -46,7 +46,7 @@ def _count_fits(kind: str, count: int | None) -> Iterator[RelativeIssue]:
 class Sampling(Section):
     """How variants are sampled."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_count_fits,)
+    constraints: ClassVar[tuple[Check, ...]] = (_count_fits,)
 
     kind: Annotated[
         SamplingKind,
@@ -67,7 +67,7 @@ def _choice_of_values(values: tuple[Raw, ...] | None, choose: bool) -> Iterator[
 class VariedQuantity(Section):
     """A quantity of the case that varies."""
 
-    checks: ClassVar[tuple[Check, ...]] = (require_one("values", "distribution"), _choice_of_values)
+    constraints: ClassVar[tuple[Check, ...]] = (require_one("values", "distribution"), _choice_of_values)
 
     path: Annotated[str, Text("key of the case; positions count from 1, as in ground.layers[1].E")]
     name: Annotated[str, Text("its name in the study; the path by default")] = ""
@@ -120,7 +120,7 @@ class RandomField(Section):
 class LimitState(Section):
     """A limit that a kept result should not pass."""
 
-    checks: ClassVar[tuple[Check, ...]] = (require_one("at_most", "at_least"),)
+    constraints: ClassVar[tuple[Check, ...]] = (require_one("at_most", "at_least"),)
 
     name: Annotated[str, Text("its name")]
     keep: Annotated[str, Text("name of the kept result")]
@@ -253,7 +253,7 @@ class StudyFile(Section):
     'ground.k'
     """
 
-    checks: ClassVar[tuple[Check, ...]] = (
+    constraints: ClassVar[tuple[Check, ...]] = (
         _something_varies,
         _kinds_fit,
         _choices_fit,
