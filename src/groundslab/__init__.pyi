@@ -40,6 +40,8 @@ from .model.combinations import place_patterns as place_patterns
 from .model.cracking import Cracking as Cracking
 from .model.design.bars import Bars as Bars
 from .model.design.bars import BarZone as BarZone
+from .model.design.checks import CheckOff as CheckOff
+from .model.design.checks import Checks as Checks
 from .model.design.detailing import AllowedBars as AllowedBars
 from .model.design.detailing import Detailing as Detailing
 from .model.design.floors import ACI360Floor as ACI360Floor

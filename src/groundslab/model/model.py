@@ -15,6 +15,7 @@ from groundslab.model import consistency, varying_ground
 from groundslab.model.axes.crossings import attach_to_axes
 from groundslab.model.axes.families import AxesFamily
 from groundslab.model.cracking import Cracking
+from groundslab.model.design.checks import Checks
 from groundslab.model.design.floors import Floor
 from groundslab.model.design.limits import Limits, SoilStrength
 from groundslab.model.design.reinforcement import Reinforcement
@@ -123,6 +124,7 @@ class Model(Section):
     soil_strength: Annotated[
         SoilStrength | None, Table("strength of the soil, for bearing resistance and sliding by EN 1997-1")
     ] = None
+    checks: Annotated[Checks, Table("checks of the design that are switched off")] = Checks()
     floor: Annotated[Floor | None, Table("checks of an industrial floor, in addition to the elastic results")] = None
     mesh: Annotated[Mesh, Table("the mesh; made for an accuracy by default")] = Mesh()
     analysis: Annotated[Analysis, Table("how the equations are solved")] = Analysis()

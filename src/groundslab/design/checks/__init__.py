@@ -25,8 +25,9 @@ from groundslab.design.checks.one_way_shear import shear
 from groundslab.design.codes.en1997 import checks as en1997
 from groundslab.design.codes.floors import checks as floors
 from groundslab.design.codes.floors import dowel_checks
-from groundslab.design.rules.check import ORDER, DesignCheck, Status, in_units
-from groundslab.messages import Message, counted, joined
+from groundslab.design.rules.check import ORDER, DesignCheck, Status, in_units, switched_off
+from groundslab.messages import Message, Name, counted, joined, quoted
+from groundslab.model.design.checks import CheckOff
 from groundslab.model.remarks.remarks import find_remarks
 from groundslab.results.results import Results
 from groundslab.schema.issues import require
@@ -130,8 +131,12 @@ def check_design(combined: Results) -> Design:
 @made_once
 def _check_design(combined: Results) -> Design:
     """Return the checks, which are made once of the same results."""
-    checks = [in_units(check, combined.model.units) for find in CHECKS for check in find(combined)]
-    checked = tuple(sorted((check for check in checks if check.status != "not checked"), key=_order))
+    off = combined.model.checks.off
+    every = [in_units(check, combined.model.units) for find in CHECKS for check in find(combined)]
+    every += _off_in_vain(off, every)
+    checks = [switched_off(check, off) for check in every]
+    listed = tuple(sorted((check for check in checks if check.status != "not checked"), key=_order))
+    checked = [check for check in listed if check.off is None]
     unchecked = {check.name: check.words for check in checks if check.status == "not checked"}
     left = joined((unchecked if "strength" in unchecked else {"anchorage": NOT_CHECKED, **unchecked}).values(), "; ")
     failing, doubtful = (sum(check.status == status for check in checked) for status in ("fails", "attention"))
@@ -146,10 +151,10 @@ def _check_design(combined: Results) -> Design:
         else ""
     )
     total = counted(len(checked), "{count} check", "{count} checks")
-    left_open = _left_open(checked)
+    left_open = _left_open(checked) + _off_words(listed)
     if failing:
         count = counted(failing, "{count} of {total} fails", "{count} of {total} fail", total=total)
-        return Design("fails", _failure(checked[0], count + of_them) + left_open, checked)
+        return Design("fails", _failure(checked[0], count + of_them) + left_open, listed)
     if doubtful:
         words = counted(
             doubtful,
@@ -158,11 +163,11 @@ def _check_design(combined: Results) -> Design:
             total=total,
             of_them=of_them,
         )
-        return Design("attention", words + left_open, checked)
+        return Design("attention", words + left_open, listed)
     if checked:
         words = Message("No failure found in {total}{of_them}; {left}.", total=total, of_them=of_them, left=left)
-        return Design("no failure found", words, checked)
-    return Design("not checked", f"{left[:1].upper()}{left[1:]}.")
+        return Design("no failure found", words + left_open, listed)
+    return Design("not checked", f"{left[:1].upper()}{left[1:]}." + left_open, listed)
 
 
 def _left_open(checked: Sequence[DesignCheck]) -> str:
@@ -172,6 +177,39 @@ def _left_open(checked: Sequence[DesignCheck]) -> str:
         return ""
     kinds = joined(dict.fromkeys(names))
     return Message(" Not judged: {count} of {total} ({kinds}).", count=len(names), total=len(checked), kinds=kinds)
+
+
+def _off_words(checks: Sequence[DesignCheck]) -> str:
+    """Return the sentence about checks that are switched off, empty if none is."""
+    off = [check for check in checks if check.off is not None]
+    if not off:
+        return ""
+    names = joined([_of_what(check) for check in off])
+    would_fail = sum(check.off is not None and check.off.status == "fails" for check in off)
+    if would_fail:
+        template = " Switched off: {count} of {total}, of which {failing} would fail ({names})."
+        return Message(template, count=len(off), total=len(checks), failing=would_fail, names=names)
+    return Message(" Switched off: {count} of {total} ({names}).", count=len(off), total=len(checks), names=names)
+
+
+def _of_what(check: DesignCheck) -> str:
+    """Return the name of a check, and what it is of."""
+    return Message("{name} ({of})", name=check.name, of=Name(check.of)) if check.of else check.name
+
+
+def _off_in_vain(off: Sequence[CheckOff], checks: Sequence[DesignCheck]) -> Iterator[DesignCheck]:
+    """Yield what is switched off though no check has its name, or is of what it names."""
+    for number, each in enumerate(off, 1):
+        if any(each.covers(check.name, check.of) for check in checks):
+            continue
+        same = [check.of for check in checks if check.of and each.replace(of=None).covers(check.name, "")]
+        words = Message(
+            "checks.off[{number}] switches nothing off: no check is called {called}; there are {names}",
+            number=number,
+            called=quoted([each.check]) if not each.of else joined([quoted([each.check]), quoted([each.of])]),
+            names=quoted(list(dict.fromkeys(same or [str(check.name) for check in checks])), 30),
+        )
+        yield DesignCheck("input", "attention", words)
 
 
 def _failure(worst: DesignCheck, count: str) -> str:

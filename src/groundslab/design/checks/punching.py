@@ -3,12 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import Any
 
 from groundslab.design.codes.registry import code_of
-from groundslab.design.rules.check import DesignCheck
+from groundslab.design.rules.check import DesignCheck, apart
 from groundslab.design.rules.design_code import Calculation
-from groundslab.design.rules.punching import CALLED, PUNCHING, judged, punching_supports, with_the_rest, with_way
+from groundslab.design.rules.punching import (
+    CALLED,
+    PUNCHING,
+    Demands,
+    judged,
+    punching_supports,
+    with_the_rest,
+    with_way,
+)
+from groundslab.model.design.checks import CheckOff
 from groundslab.results.results import Results
 
 
@@ -19,14 +29,23 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
     if steel is None or rule is None:
         return
     for support in punching_supports(combined):
-        demands = rule.demands[support](combined)
-        for aspect in rule.aspects(support, demands, steel):
-            those, supported = judged(aspect.demands, aspect.used)
-            check = with_way(aspect.worst(those), demands.found) if those else None
-            if check is None and not supported and demands.missing and not aspect.says_missing:
-                continue  # another aspect says why there is none
-            missing = demands.missing if aspect.says_missing else {}
-            yield from with_the_rest(check, aspect.name, (*CALLED[support], rule.cut), supported, missing)
+        for demands in _apart(rule.demands[support](combined), combined.model.checks.off):
+            for aspect in rule.aspects(support, demands, steel):
+                those, supported = judged(aspect.demands, aspect.used)
+                check = with_way(aspect.worst(those), demands.found) if those else None
+                if check is None and not supported and demands.missing and not aspect.says_missing:
+                    continue  # another aspect says why there is none
+                missing = demands.missing if aspect.says_missing else {}
+                yield from with_the_rest(check, aspect.name, (*CALLED[support], rule.cut), supported, missing)
+
+
+def _apart(demands: Demands[Any], off: tuple[CheckOff, ...]) -> Iterator[Demands[Any]]:
+    """Yield the demands of what no check is switched off of, then those of each of the others."""
+    names = list(dict.fromkeys([*(name for _, name in demands.found), *demands.missing]))
+    for group in apart(names, str, off) if names else [names]:
+        found = {key: demand for key, demand in demands.found.items() if key[1] in group}
+        missing = {name: why for name, why in demands.missing.items() if name in group}
+        yield replace(demands, found=found, missing=missing)
 
 
 def calculations(combined: Results) -> Iterator[tuple[str, list[Calculation]]]:

@@ -14,10 +14,10 @@ import numpy as np
 from groundslab.design.bars import beam_bars, required_bars, wall_bars
 from groundslab.design.checks import pulling, punching
 from groundslab.design.codes.registry import code_of
-from groundslab.design.rules.check import GIVEN_SECTION, DesignCheck, not_judged, some
+from groundslab.design.rules.check import GIVEN_SECTION, DesignCheck, apart, not_judged, some
 from groundslab.design.rules.combinations import UNFACTORED, ultimate_results, why_none, without_partial_factors
 from groundslab.design.rules.demand_errors import error_of_ratio, scaled
-from groundslab.design.rules.design_code import DesignCode, no_rule
+from groundslab.design.rules.design_code import BeamRule, DesignCode, no_rule
 from groundslab.messages import Clause, Message, Name, joined
 from groundslab.model.loads.load_cases import STRENGTH
 from groundslab.model.structure.beams import GivenSection
@@ -67,15 +67,21 @@ def _beams(combined: Results, code: DesignCode) -> Iterator[DesignCheck]:
             "beams by their properties", GIVEN_SECTION, Message("the strength of {names}", names=some(by_properties))
         )
     needs = beam_bars.beam_needs(combined, steel)
-    if not needs:
-        return
-    if words := code.beams.cracks(steel):
+    if needs and (words := code.beams.cracks(steel)):
         yield DesignCheck("cracks of beams", "not checked", words)
+    for group in apart(needs, lambda need: need.beam, combined.model.checks.off):
+        yield from _judged_beams(combined, group, code.name, code.beams)
+
+
+def _judged_beams(
+    combined: Results, needs: list[beam_bars.BeamNeed], code: str, rule: BeamRule
+) -> Iterator[DesignCheck]:
+    """Yield whether beams of concrete can be reinforced."""
     if flanges := [need for need in needs if need.what == "flange"]:
-        yield _flanges(combined, flanges, f"{code.name} {code.beams.flange.clauses}")
-    yield _webs(combined, needs, f"{code.name} {code.beams.web_clauses}")
+        yield _flanges(combined, flanges, f"{code} {rule.flange.clauses}")
+    yield _webs(combined, needs, f"{code} {rule.web_clauses}")
     bars = [need for need in needs if need.what in ("bottom", "top")]
-    clause = f"{code.name} {code.beams.clauses}"
+    clause = f"{code} {rule.clauses}"
     failing = [need for need in bars if np.isinf(need.area)]
     if not failing:
         most = max(bars, key=lambda need: need.area)
@@ -107,34 +113,39 @@ def _walls(combined: Results, code: DesignCode) -> Iterator[DesignCheck]:
     assert steel is not None
     if code.walls is None:
         yield no_rule(code, "walls")
-    elif needs := wall_bars.wall_needs(combined, steel):
-        worst = max(needs, key=lambda need: need.used)
-        error = error_of_ratio(
-            (abs(need.force), need.borne, partial(wall_bars.error_of_force, combined, need)) for need in needs
-        )
-        words: str = Message(
-            "{force:.4g kN} in {wall}, {way:.2f m} from its start, use {used:.3g} of what its struts bear",
-            force=abs(worst.force) / 1e3,
-            wall=worst.wall,
-            way=worst.way,
-            used=worst.used,
-        )
-        if worst.upright is None or worst.level is None:
-            words = joined((words, "least bars of walls were not read"), "; ")
-        else:
-            words += Message(
-                "; it needs at least {upright:.3g cm2/m} of bars upright and {level:.3g cm2/m} level, both faces "
-                "together",
-                upright=worst.upright * 1e4,
-                level=worst.level * 1e4,
-            )
-        yield DesignCheck(
-            "walls", "no failure found" if worst.used <= 1 else "fails", words, of=worst.wall,
-            demand=abs(worst.force) / 1e3, resistance=worst.borne / 1e3, unit="kN", combination=worst.combination,
-            place=worst.place, clause=f"{code.name} {code.walls.clauses}", error=scaled(error, worst.borne / 1e3),
-        )  # fmt: skip
+    else:
+        for group in apart(wall_bars.wall_needs(combined, steel), lambda need: need.wall, combined.model.checks.off):
+            yield _struts(combined, group, f"{code.name} {code.walls.clauses}")
     words = "ties, forces along and across, ends, openings and joints of walls with a height are not designed"
     yield DesignCheck("rest of walls", "not checked", words)
+
+
+def _struts(combined: Results, needs: list[wall_bars.WallNeed], clause: str) -> DesignCheck:
+    """Return whether struts of walls with a height bear their shear forces."""
+    worst = max(needs, key=lambda need: need.used)
+    error = error_of_ratio(
+        (abs(need.force), need.borne, partial(wall_bars.error_of_force, combined, need)) for need in needs
+    )
+    words: str = Message(
+        "{force:.4g kN} in {wall}, {way:.2f m} from its start, use {used:.3g} of what its struts bear",
+        force=abs(worst.force) / 1e3,
+        wall=worst.wall,
+        way=worst.way,
+        used=worst.used,
+    )
+    if worst.upright is None or worst.level is None:
+        words = joined((words, "least bars of walls were not read"), "; ")
+    else:
+        words += Message(
+            "; it needs at least {upright:.3g cm2/m} of bars upright and {level:.3g cm2/m} level, both faces together",
+            upright=worst.upright * 1e4,
+            level=worst.level * 1e4,
+        )
+    return DesignCheck(
+        "walls", "no failure found" if worst.used <= 1 else "fails", words, of=worst.wall,
+        demand=abs(worst.force) / 1e3, resistance=worst.borne / 1e3, unit="kN", combination=worst.combination,
+        place=worst.place, clause=clause, error=scaled(error, worst.borne / 1e3),
+    )  # fmt: skip
 
 
 def _webs(combined: Results, needs: list[beam_bars.BeamNeed], clause: str) -> DesignCheck:

@@ -6,17 +6,19 @@ counted by itself in the headline. What no check ever looks at, such as anchorag
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from typing import Any, Literal
+from typing import Any, Literal, TypeVar
 
 from groundslab.design.rules.calculation import Step
-from groundslab.messages import Message, quoted, words_in
+from groundslab.messages import Message, Name, quoted, words_in
+from groundslab.model.design.checks import CheckOff
 from groundslab.unit_systems import System, unit_in
 
-Status = Literal["fails", "attention", "no failure found", "not checked"]
+T = TypeVar("T")
+Status = Literal["fails", "attention", "switched off", "no failure found", "not checked"]
 #: Statuses in the order in which they are listed.
-ORDER: tuple[Status, ...] = ("fails", "attention", "no failure found", "not checked")
+ORDER: tuple[Status, ...] = ("fails", "attention", "switched off", "no failure found", "not checked")
 #: What lies beyond a limit by a smaller share of it is rounding.
 ROUNDING = 1e-6
 
@@ -81,6 +83,14 @@ UNJUDGED = (
 
 
 @dataclass(frozen=True, slots=True)
+class SwitchedOff:
+    """Why a check is switched off, and how it would have ended."""
+
+    reason: str
+    status: Status
+
+
+@dataclass(frozen=True, slots=True)
 class DesignCheck:
     """One check at its governing place.
 
@@ -115,6 +125,8 @@ class DesignCheck:
         The calculation at the governing place, to be followed by hand; empty where there is none.
     unjudged : Unjudged or None
         Why there is no verdict; None where there is one.
+    off : SwitchedOff or None
+        Why it is switched off; None where it is not.
     """
 
     name: str
@@ -132,6 +144,7 @@ class DesignCheck:
     error: float | None = None
     steps: tuple[Step, ...] = ()
     unjudged: Unjudged | None = None
+    off: SwitchedOff | None = None
 
     @property
     def utilization(self) -> float | None:
@@ -157,7 +170,7 @@ class DesignCheck:
     @property
     def hangs(self) -> bool:
         """Return whether the verdict hangs on the discretization error: a limit lies within it."""
-        return self.between is not None and self.between[0] <= 1 < self.between[1] - ROUNDING
+        return self.off is None and self.between is not None and self.between[0] <= 1 < self.between[1] - ROUNDING
 
     @property
     def verdict(self) -> str:
@@ -177,6 +190,27 @@ def not_judged(name: str, why: Unjudged, words: str, **about: Any) -> DesignChec
     return DesignCheck(
         name, "attention", Message("not judged: {text}; {do}", text=words, do=why.do), unjudged=why, **about
     )
+
+
+def switched_off(check: DesignCheck, off: Iterable[CheckOff]) -> DesignCheck:
+    """Return a check as it is where one of those that are switched off covers it."""
+    reason = next((each.reason for each in off if each.covers(check.name, check.of)), None)
+    if reason is None or check.status == "not checked":
+        return check
+    template = "switched off ({reason}); otherwise {status}: {text}"
+    words = Message(template, reason=Name(reason), status=check.status, text=check.words)
+    return replace(check, status="switched off", words=words, unjudged=None, off=SwitchedOff(reason, check.status))
+
+
+def apart(items: Sequence[T], name_of: Callable[[T], str], off: Iterable[CheckOff]) -> Iterator[list[T]]:
+    """Yield what a check is about without what some check is switched off of, then each of these by itself.
+
+    So the worst of the others governs where the worst of all does not count.
+    """
+    names = dict.fromkeys(each.of for each in off)
+    groups = [[item for item in items if name_of(item) not in names]]
+    groups += [[item for item in items if name_of(item) == name] for name in names]
+    yield from (group for group in groups if group)
 
 
 def in_units(check: DesignCheck, system: System) -> DesignCheck:

@@ -82,6 +82,13 @@ class Unjudged(TypedDict):
     do: str
 
 
+class SwitchedOff(TypedDict):
+    """Why a check is switched off, and how it would have ended."""
+
+    reason: str
+    status: Status
+
+
 class Name(TypedDict):
     """A text that is the same in all languages and units: the name of a thing of a case, a clause."""
 
@@ -131,6 +138,7 @@ class Check(TypedDict):
     between: list[float | None] | None
     steps: list[CalculationStep]
     unjudged: Unjudged | None
+    off: SwitchedOff | None
 
 
 class Design(TypedDict):

@@ -62,6 +62,7 @@ SECTIONS = {
     "cracking": "Cracked stiffness",
     "long_term": "Ground under lasting loads",
     "limits": "Limits",
+    "checks": "Checks that are switched off",
     "soil_strength": "Strength of the soil",
     "floor": "Industrial floor",
     "output": "Points, lines and strips",

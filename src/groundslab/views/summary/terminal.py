@@ -198,7 +198,8 @@ def _style(status: Status, *, hangs: bool) -> str:
 
 
 _STYLES: dict[Status, str] = {
-    "fails": "bold red", "attention": "bold yellow", "no failure found": "dim", "not checked": "dim",
+    "fails": "bold red", "attention": "bold yellow", "switched off": "yellow", "no failure found": "dim",
+    "not checked": "dim",
 }  # fmt: skip
 
 

@@ -165,7 +165,7 @@ export interface CombinationSummary {
 
 export interface DesignCheck {
   name: string;
-  status: "fails" | "attention" | "no failure found" | "not checked";
+  status: "fails" | "attention" | "switched off" | "no failure found" | "not checked";
   words: string;
   utilization: number | null;
   /** The least and the greatest utilization within the discretization error; null where none is told. */
