@@ -29,6 +29,7 @@ from groundslab.design.rules.check import ORDER, DesignCheck, Status, in_units, 
 from groundslab.messages import Message, Name, counted, joined, quoted
 from groundslab.model.design.checks import CheckOff
 from groundslab.model.remarks.remarks import find_remarks
+from groundslab.results.fields import LAYERS
 from groundslab.results.results import Results
 from groundslab.schema.issues import require
 
@@ -65,6 +66,9 @@ CHECKS: tuple[Callable[[Results], Iterable[DesignCheck]], ...] = (
     limits.checks,
     _left_out,
 )
+
+#: What checks of one layer of bars are of.
+OF_LAYERS = frozenset(layer.replace("_", " ") for layer in LAYERS)
 
 #: What no check looks at.
 NOT_CHECKED = "anchorage is not checked"
@@ -133,8 +137,8 @@ def _check_design(combined: Results) -> Design:
     """Return the checks, which are made once of the same results."""
     off = combined.model.checks.off
     every = [in_units(check, combined.model.units) for find in CHECKS for check in find(combined)]
-    every += _off_in_vain(off, every)
-    checks = [switched_off(check, off) for check in every]
+    checks = [switched_off(check, off, check.of if check.of in OF_LAYERS else "") for check in every]
+    checks += _off_in_vain(off, checks)
     listed = tuple(sorted((check for check in checks if check.status != "not checked"), key=_order))
     checked = [check for check in listed if check.off is None]
     unchecked = {check.name: check.words for check in checks if check.status == "not checked"}
@@ -200,15 +204,21 @@ def _of_what(check: DesignCheck) -> str:
 def _off_in_vain(off: Sequence[CheckOff], checks: Sequence[DesignCheck]) -> Iterator[DesignCheck]:
     """Yield what is switched off though no check has its name, or is of what it names."""
     for number, each in enumerate(off, 1):
-        if any(each.covers(check.name, check.of) for check in checks):
+        covered = [check for check in checks if each.covers(check.name, check.of)]
+        if any(check.off is not None for check in covered):
             continue
-        same = [check.of for check in checks if check.of and each.replace(of=None).covers(check.name, "")]
+        called = quoted([each.check]) if not each.of else joined([quoted([each.check]), quoted([each.of])])
         words = Message(
-            "checks.off[{number}] switches nothing off: no check is called {called}; there are {names}",
-            number=number,
-            called=quoted([each.check]) if not each.of else joined([quoted([each.check]), quoted([each.of])]),
-            names=quoted(list(dict.fromkeys(same or [str(check.name) for check in checks])), 30),
-        )
+            "checks.off[{number}] switches nothing off: {called} is of the worst of several; leave of out",
+            number=number, called=called,
+        )  # fmt: skip
+        if not covered:
+            same = [check.of for check in checks if check.of and each.replace(of=None).covers(check.name, "")]
+            words = Message(
+                "checks.off[{number}] switches nothing off: no check is called {called}; there are {names}",
+                number=number, called=called,
+                names=quoted(list(dict.fromkeys(same or [str(check.name) for check in checks])), 30),
+            )  # fmt: skip
         yield DesignCheck("input", "attention", words)
 
 

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from dataclasses import replace
+from functools import partial
 from typing import Any
 
 from groundslab.design.codes.registry import code_of
-from groundslab.design.rules.check import DesignCheck, apart
-from groundslab.design.rules.design_code import Calculation
+from groundslab.design.rules.check import DesignCheck, judge_apart
+from groundslab.design.rules.design_code import Calculation, PunchingRule
 from groundslab.design.rules.punching import (
     CALLED,
     PUNCHING,
@@ -18,7 +19,8 @@ from groundslab.design.rules.punching import (
     with_the_rest,
     with_way,
 )
-from groundslab.model.design.checks import CheckOff
+from groundslab.design.rules.punching_links.demand import Support
+from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.results import Results
 
 
@@ -29,23 +31,28 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
     if steel is None or rule is None:
         return
     for support in punching_supports(combined):
-        for demands in _apart(rule.demands[support](combined), combined.model.checks.off):
-            for aspect in rule.aspects(support, demands, steel):
-                those, supported = judged(aspect.demands, aspect.used)
-                check = with_way(aspect.worst(those), demands.found) if those else None
-                if check is None and not supported and demands.missing and not aspect.says_missing:
-                    continue  # another aspect says why there is none
-                missing = demands.missing if aspect.says_missing else {}
-                yield from with_the_rest(check, aspect.name, (*CALLED[support], rule.cut), supported, missing)
+        demands = rule.demands[support](combined)
+        judge = partial(_judged, support, demands, rule, steel)
+        names = list(dict.fromkeys([*(name for _, name in demands.found), *demands.missing]))
+        yield from judge_apart(names, str, combined.model.checks.off, judge) if names else judge([])
 
 
-def _apart(demands: Demands[Any], off: tuple[CheckOff, ...]) -> Iterator[Demands[Any]]:
-    """Yield the demands of what no check is switched off of, then those of each of the others."""
-    names = list(dict.fromkeys([*(name for _, name in demands.found), *demands.missing]))
-    for group in apart(names, str, off) if names else [names]:
-        found = {key: demand for key, demand in demands.found.items() if key[1] in group}
-        missing = {name: why for name, why in demands.missing.items() if name in group}
-        yield replace(demands, found=found, missing=missing)
+def _judged(
+    support: Support, every: Demands[Any], rule: PunchingRule, steel: Reinforcement, names: Collection[str]
+) -> Iterator[DesignCheck]:
+    """Yield the checks of the worst of some that punch."""
+    demands = replace(
+        every,
+        found={key: demand for key, demand in every.found.items() if key[1] in names},
+        missing={name: why for name, why in every.missing.items() if name in names},
+    )
+    for aspect in rule.aspects(support, demands, steel):
+        those, supported = judged(aspect.demands, aspect.used)
+        check = with_way(aspect.worst(those), demands.found) if those else None
+        if check is None and not supported and demands.missing and not aspect.says_missing:
+            continue  # another aspect says why there is none
+        missing = demands.missing if aspect.says_missing else {}
+        yield from with_the_rest(check, aspect.name, (*CALLED[support], rule.cut), supported, missing)
 
 
 def calculations(combined: Results) -> Iterator[tuple[str, list[Calculation]]]:

@@ -14,7 +14,7 @@ import numpy as np
 from groundslab.design.bars import beam_bars, required_bars, wall_bars
 from groundslab.design.checks import pulling, punching
 from groundslab.design.codes.registry import code_of
-from groundslab.design.rules.check import GIVEN_SECTION, DesignCheck, apart, not_judged, some
+from groundslab.design.rules.check import GIVEN_SECTION, DesignCheck, judge_apart, not_judged, some
 from groundslab.design.rules.combinations import UNFACTORED, ultimate_results, why_none, without_partial_factors
 from groundslab.design.rules.demand_errors import error_of_ratio, scaled
 from groundslab.design.rules.design_code import BeamRule, DesignCode, no_rule
@@ -69,12 +69,12 @@ def _beams(combined: Results, code: DesignCode) -> Iterator[DesignCheck]:
     needs = beam_bars.beam_needs(combined, steel)
     if needs and (words := code.beams.cracks(steel)):
         yield DesignCheck("cracks of beams", "not checked", words)
-    for group in apart(needs, lambda need: need.beam, combined.model.checks.off):
-        yield from _judged_beams(combined, group, code.name, code.beams)
+    judge = partial(_judged_beams, combined, code.name, code.beams)
+    yield from judge_apart(needs, lambda need: need.beam, combined.model.checks.off, judge)
 
 
 def _judged_beams(
-    combined: Results, needs: list[beam_bars.BeamNeed], code: str, rule: BeamRule
+    combined: Results, code: str, rule: BeamRule, needs: list[beam_bars.BeamNeed]
 ) -> Iterator[DesignCheck]:
     """Yield whether beams of concrete can be reinforced."""
     if flanges := [need for need in needs if need.what == "flange"]:
@@ -114,14 +114,17 @@ def _walls(combined: Results, code: DesignCode) -> Iterator[DesignCheck]:
     if code.walls is None:
         yield no_rule(code, "walls")
     else:
-        for group in apart(wall_bars.wall_needs(combined, steel), lambda need: need.wall, combined.model.checks.off):
-            yield _struts(combined, group, f"{code.name} {code.walls.clauses}")
+        judge, needs = (
+            partial(_struts, combined, f"{code.name} {code.walls.clauses}"),
+            wall_bars.wall_needs(combined, steel),
+        )
+        yield from judge_apart(needs, lambda need: need.wall, combined.model.checks.off, judge)
     words = "ties, forces along and across, ends, openings and joints of walls with a height are not designed"
     yield DesignCheck("rest of walls", "not checked", words)
 
 
-def _struts(combined: Results, needs: list[wall_bars.WallNeed], clause: str) -> DesignCheck:
-    """Return whether struts of walls with a height bear their shear forces."""
+def _struts(combined: Results, clause: str, needs: list[wall_bars.WallNeed]) -> Iterator[DesignCheck]:
+    """Yield whether struts of walls with a height bear their shear forces."""
     worst = max(needs, key=lambda need: need.used)
     error = error_of_ratio(
         (abs(need.force), need.borne, partial(wall_bars.error_of_force, combined, need)) for need in needs
@@ -141,7 +144,7 @@ def _struts(combined: Results, needs: list[wall_bars.WallNeed], clause: str) -> 
             upright=worst.upright * 1e4,
             level=worst.level * 1e4,
         )
-    return DesignCheck(
+    yield DesignCheck(
         "walls", "no failure found" if worst.used <= 1 else "fails", words, of=worst.wall,
         demand=abs(worst.force) / 1e3, resistance=worst.borne / 1e3, unit="kN", combination=worst.combination,
         place=worst.place, clause=clause, error=scaled(error, worst.borne / 1e3),

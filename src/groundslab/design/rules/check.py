@@ -192,25 +192,34 @@ def not_judged(name: str, why: Unjudged, words: str, **about: Any) -> DesignChec
     )
 
 
-def switched_off(check: DesignCheck, off: Iterable[CheckOff]) -> DesignCheck:
-    """Return a check as it is where one of those that are switched off covers it."""
-    reason = next((each.reason for each in off if each.covers(check.name, check.of)), None)
-    if reason is None or check.status == "not checked":
+def switched_off(check: DesignCheck, off: Iterable[CheckOff], of: str = "") -> DesignCheck:
+    """Return a check as it is where one of those that are switched off covers it, of something or of all."""
+    reason = next((each.reason for each in off if each.covers(check.name, of)), None)
+    if reason is None or check.off is not None or check.status == "not checked":
         return check
     template = "switched off ({reason}); otherwise {status}: {text}"
     words = Message(template, reason=Name(reason), status=check.status, text=check.words)
-    return replace(check, status="switched off", words=words, unjudged=None, off=SwitchedOff(reason, check.status))
+    outcome = SwitchedOff(reason, check.status)
+    return replace(check, status="switched off", words=words, of=check.of or of, unjudged=None, off=outcome)
 
 
-def apart(items: Sequence[T], name_of: Callable[[T], str], off: Iterable[CheckOff]) -> Iterator[list[T]]:
-    """Yield what a check is about without what some check is switched off of, then each of these by itself.
+def judge_apart(
+    items: Sequence[T],
+    name_of: Callable[[T], str],
+    off: Sequence[CheckOff],
+    judge: Callable[[list[T]], Iterable[DesignCheck]],
+) -> Iterator[DesignCheck]:
+    """Yield the checks of the worst of many, and those of each one of which a check is switched off.
 
-    So the worst of the others governs where the worst of all does not count.
+    Without them the worst of the others governs. Only so can a check be switched off of one alone: what other checks
+    are of is the worst, and nobody would look at the second.
     """
     names = dict.fromkeys(each.of for each in off)
-    groups = [[item for item in items if name_of(item) not in names]]
-    groups += [[item for item in items if name_of(item) == name] for name in names]
-    yield from (group for group in groups if group)
+    if rest := [item for item in items if name_of(item) not in names]:
+        yield from judge(rest)
+    for name in names:
+        if own := [item for item in items if name_of(item) == name]:
+            yield from (switched_off(check, off, name) for check in judge(own))
 
 
 def in_units(check: DesignCheck, system: System) -> DesignCheck:

@@ -121,6 +121,23 @@ def test_in_vain(solved: Results, wrong: dict[str, str]) -> None:
     assert ("heavy" if "of" in wrong else "bending") in told.words
 
 
+def test_the_worst_of_several_is_no_one(solved: Results) -> None:
+    """The pair that governs cannot be switched off, as nobody would look at the next; a layer can."""
+    pair = next(check.of for check in design(solved).checks if check.name == "angular distortion")
+    after = design(solved, {"check": "angular distortion", "of": pair, "reason": "none"})
+    assert not any(check.off for check in after.checks)
+    (told,) = (check for check in after.checks if check.name == "input")
+    assert "is of the worst of several" in told.words
+
+
+def test_a_layer(solved: Results) -> None:
+    """Of one layer of bars, and of no other."""
+    bars = {name: {"diameter": 0.012, "spacing": 0.15} for name in ("bottom_x", "bottom_y", "top_x", "top_y")}
+    model = solved.model.replace(reinforcement=solved.model.reinforcement.replace(**bars))
+    after = design(replace(solved, model=model), {"check": "bars", "of": "bottom x", "reason": "none"})
+    assert {check.of for check in after.checks if check.off} == {"bottom x"}
+
+
 def test_a_reason_is_needed() -> None:
     """Without one the case is refused, at its place."""
     with pytest.raises(InputError, match=r"off\[1\]\.reason"):
