@@ -29,7 +29,6 @@ from groundslab.design.rules.check import ORDER, DesignCheck, Status, in_units, 
 from groundslab.messages import Message, Name, counted, joined, quoted
 from groundslab.model.design.checks import CheckOff
 from groundslab.model.remarks.remarks import find_remarks
-from groundslab.results.fields import LAYERS
 from groundslab.results.results import Results
 from groundslab.schema.issues import require
 
@@ -66,9 +65,6 @@ CHECKS: tuple[Callable[[Results], Iterable[DesignCheck]], ...] = (
     limits.checks,
     _left_out,
 )
-
-#: What checks of one layer of bars are of.
-OF_LAYERS = frozenset(layer.replace("_", " ") for layer in LAYERS)
 
 #: What no check looks at.
 NOT_CHECKED = "anchorage is not checked"
@@ -137,7 +133,7 @@ def _check_design(combined: Results) -> Design:
     """Return the checks, which are made once of the same results."""
     off = combined.model.checks.off
     every = [in_units(check, combined.model.units) for find in CHECKS for check in find(combined)]
-    checks = [switched_off(check, off, check.of if check.of in OF_LAYERS else "") for check in every]
+    checks = [switched_off(check, off) for check in every]
     checks += _off_in_vain(off, checks)
     listed = tuple(sorted((check for check in checks if check.status != "not checked"), key=_order))
     checked = [check for check in listed if check.off is None]

@@ -34,7 +34,7 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
         demands = rule.demands[support](combined)
         judge = partial(_judged, support, demands, rule, steel)
         names = list(dict.fromkeys([*(name for _, name in demands.found), *demands.missing]))
-        yield from judge_apart(names, str, combined.model.checks.off, judge) if names else judge([])
+        yield from judge_apart(names, str, combined.model.checks.off, judge)
 
 
 def _judged(

@@ -67,7 +67,9 @@ def _beams(combined: Results, code: DesignCode) -> Iterator[DesignCheck]:
             "beams by their properties", GIVEN_SECTION, Message("the strength of {names}", names=some(by_properties))
         )
     needs = beam_bars.beam_needs(combined, steel)
-    if needs and (words := code.beams.cracks(steel)):
+    if not needs:
+        return
+    if words := code.beams.cracks(steel):
         yield DesignCheck("cracks of beams", "not checked", words)
     judge = partial(_judged_beams, combined, code.name, code.beams)
     yield from judge_apart(needs, lambda need: need.beam, combined.model.checks.off, judge)
@@ -113,11 +115,8 @@ def _walls(combined: Results, code: DesignCode) -> Iterator[DesignCheck]:
     assert steel is not None
     if code.walls is None:
         yield no_rule(code, "walls")
-    else:
-        judge, needs = (
-            partial(_struts, combined, f"{code.name} {code.walls.clauses}"),
-            wall_bars.wall_needs(combined, steel),
-        )
+    elif needs := wall_bars.wall_needs(combined, steel):
+        judge = partial(_struts, combined, f"{code.name} {code.walls.clauses}")
         yield from judge_apart(needs, lambda need: need.wall, combined.model.checks.off, judge)
     words = "ties, forces along and across, ends, openings and joints of walls with a height are not designed"
     yield DesignCheck("rest of walls", "not checked", words)

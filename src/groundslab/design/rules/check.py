@@ -209,17 +209,23 @@ def judge_apart(
     off: Sequence[CheckOff],
     judge: Callable[[list[T]], Iterable[DesignCheck]],
 ) -> Iterator[DesignCheck]:
-    """Yield the checks of the worst of many, and those of each one of which a check is switched off.
+    """Yield the checks of the worst of many; where one is switched off of some alone, those of the others and of each.
 
-    Without them the worst of the others governs. Only so can a check be switched off of one alone: what other checks
-    are of is the worst, and nobody would look at the second.
+    Only so can a check be switched off of one alone: what other checks are of is the worst, and nobody would look at
+    the second.
     """
-    names = dict.fromkeys(each.of for each in off)
-    if rest := [item for item in items if name_of(item) not in names]:
-        yield from judge(rest)
-    for name in names:
-        if own := [item for item in items if name_of(item) == name]:
-            yield from (switched_off(check, off, name) for check in judge(own))
+    names = dict.fromkeys(name_of(item) for item in items)
+    alone = [each for each in off if each.of in names]
+    for check in judge(list(items)):
+        apart = [each.of for each in alone if each.covers(check.name, each.of)]
+        if not apart:
+            yield check
+            continue
+        rest = [item for item in items if name_of(item) not in apart]
+        yield from (each for each in (judge(rest) if rest else ()) if each.name == check.name)
+        for name in dict.fromkeys(apart):
+            own = judge([item for item in items if name_of(item) == name])
+            yield from (switched_off(each, off, name) for each in own if each.name == check.name)
 
 
 def in_units(check: DesignCheck, system: System) -> DesignCheck:

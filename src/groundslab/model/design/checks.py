@@ -15,7 +15,7 @@ class CheckOff(Section):
     check: Annotated[
         str, Text("name of the check as results list it, or its first words: punching is all that begins so")
     ]
-    of: Annotated[str, Text("the column, pile, zone, wall, beam or layer; all of them by default")] = ""
+    of: Annotated[str, Text("what punches, the beam or the wall with a height; all of them by default")] = ""
     reason: Annotated[str, Text("why, as the report says it")]
 
     def covers(self, check: str, of: str) -> bool:

@@ -248,10 +248,10 @@ def _measure(proposal: Proposal, text: str, results: Results, remarks: tuple[str
 
 
 def _utilizations(design: Design) -> dict[str, float]:
-    """Return the largest utilization of each kind of check, in the order in which they are listed."""
+    """Return the largest utilization of each kind of check that is not switched off, in the order of their list."""
     largest = dict[str, float]()
     for check in design.checks:
-        if check.utilization is not None:
+        if check.utilization is not None and check.off is None:
             largest[check.name] = max(check.utilization, largest.get(check.name, 0.0))
     return largest
 

@@ -10,11 +10,14 @@ from typing import Any
 import pytest
 
 import groundslab as gs
+from groundslab.case.casefile import loads, to_toml
 from groundslab.cli.main import main
 from groundslab.design.checks import Design, check_design
 from groundslab.errors import InputError
 from groundslab.results.results import Results
+from helpers.combinations import few
 from helpers.documents import validate
+from helpers.paths import EXAMPLES
 
 #: Two footings' worth of load on one slab: the heavier column punches it, the lighter does not.
 CASE = """
@@ -130,12 +133,70 @@ def test_the_worst_of_several_is_no_one(solved: Results) -> None:
     assert "is of the worst of several" in told.words
 
 
-def test_a_layer(solved: Results) -> None:
-    """Of one layer of bars, and of no other."""
+def test_the_worst_layer_is_no_one(solved: Results) -> None:
+    """What is checked of all layers is switched off as a whole; bars of a layer have a check of their own by name."""
     bars = {name: {"diameter": 0.012, "spacing": 0.15} for name in ("bottom_x", "bottom_y", "top_x", "top_y")}
-    model = solved.model.replace(reinforcement=solved.model.reinforcement.replace(**bars))
-    after = design(replace(solved, model=model), {"check": "bars", "of": "bottom x", "reason": "none"})
-    assert {check.of for check in after.checks if check.off} == {"bottom x"}
+    laid = replace(solved, model=solved.model.replace(reinforcement=solved.model.reinforcement.replace(**bars)))
+    worst = next(check for check in design(laid).checks if check.name == "distance of bars")
+    assert worst.of
+    of_layer = design(laid, {"check": "distance of bars", "of": worst.of, "reason": "none"})
+    assert not any(check.off for check in of_layer.checks)
+    by_name = design(laid, {"check": "bars at the bottom x", "reason": "none"})
+    assert [(str(check.name), check.of) for check in by_name.checks if check.off] == [
+        ("bars at the bottom x", "bottom x")
+    ]
+
+
+#: Examples by each code, and of each thing that can be switched off alone.
+OF_ONE = {
+    "combined_footing": "punching",
+    "second_generation": "punching",
+    "us_mat": "two-way shear",
+    "ribbed_raft": "webs of beams",
+}
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("example", "check"), OF_ONE.items())
+def test_nothing_else_changes(example: str, check: str) -> None:
+    """Of the same check the others are judged, none worse than the one that is off; all other checks stay."""
+    model = few(gs.load(EXAMPLES / f"{example}.toml"))
+    nothing_else_changes(gs.solve(model.replace(mesh={"size": max(model.sides) / 8})), check)
+
+
+@pytest.mark.parametrize("check", ["walls", "punching at walls' ends"])
+def test_nothing_else_changes_at_walls(check: str) -> None:
+    """The same of walls with a height, and of their ends."""
+    ends = {"west": [(-3.0, -1.0), (-3.0, 1.0)], "east": [(3.0, -1.0), (3.0, 1.0)]}
+    walls = [{"name": name, "points": points, "thickness": 0.25, "height": 2.5} for name, points in ends.items()]
+    lines = [
+        {"kind": "line", "case": "G", "q": 2e5, "q_end": 4e5, "wall": "west"},
+        {"kind": "line", "case": "G", "q": 1e5, "wall": "east"},
+    ]
+    model = loads(CASE)
+    nothing_else_changes(gs.solve(model.replace(walls=walls, loads=[*model.loads, *lines])), check)
+
+
+def nothing_else_changes(results: Results, check: str) -> None:
+    """Fail if switching off the worst of a check changes more than that."""
+    before = design(results).checks
+    worst = next(each for each in before if each.name.startswith(check) and each.of)
+    after = design(results, {"check": check, "of": worst.of, "reason": "by hand"}).checks
+    off = [each for each in after if each.off is not None]
+    assert {each.of for each in off} == {worst.of}
+    assert (worst.name, worst.demand, worst.resistance) in [(each.name, each.demand, each.resistance) for each in off]
+    rest = [each for each in after if each.off is None and each.name == worst.name]
+    assert rest
+    assert all(each.of != worst.of and (each.utilization or 0) <= (worst.utilization or 0) for each in rest)
+    others = [[each for each in checks if not each.name.startswith(check)] for checks in (before, after)]
+    assert [each.words for each in others[0]] == [each.words for each in others[1]]
+
+
+def test_it_comes_back_from_a_file(solved: Results, tmp_path: Path) -> None:
+    """A case is written with what is switched off, and read as it was."""
+    model = solved.model.replace(checks={"off": [PUNCHING, SETTLEMENT]})
+    (tmp_path / "again.toml").write_text(to_toml(model), encoding="utf-8")
+    assert gs.load(tmp_path / "again.toml").checks == model.checks
 
 
 def test_a_reason_is_needed() -> None:
