@@ -38,6 +38,7 @@ from .model.axes.families import RingAxes as RingAxes
 from .model.axes.families import StraightAxes as StraightAxes
 from .model.combinations import place_patterns as place_patterns
 from .model.cracking import Cracking as Cracking
+from .model.design.averaging import Averaging as Averaging
 from .model.design.bars import Bars as Bars
 from .model.design.bars import BarZone as BarZone
 from .model.design.checks import CheckOff as CheckOff

@@ -67,7 +67,7 @@ def test_every_column_is_explained() -> None:
         },
     )
     tables = tables_of(Results(model, list_combinations(model), {}, {"ULS": Exception("not solved")}))
-    assert len(tables) == 17
+    assert len(tables) == 18
     assert explained("Quantities") == EXPLAINED
     for table in tables:
         columns = [(column.name, column.unit) for column in table.columns]

@@ -11,6 +11,7 @@ from groundslab.arrays import Array, Flags, Integers, made_once
 from groundslab.design.codes.registry import code_of
 from groundslab.design.demands.design_moments import DesignMoments, design_moments
 from groundslab.design.demands.envelope import Envelope, envelope
+from groundslab.design.demands.support_moments import bar_moments
 from groundslab.design.rules.bending import Axes, BendingRule, SlabReinforcement, slab
 from groundslab.design.rules.combinations import ultimate_results
 from groundslab.messages import Message
@@ -27,7 +28,7 @@ def required_areas(steel: Reinforcement, results: list[CombinationResult]) -> di
         return {}
     t, _ = results[0].elements.at_nodes(results[0].plate)
     return {
-        result.combination: areas_for(design_moments(result.plate), t, steel, result.limit_state) for result in results
+        result.combination: areas_for(bar_moments(result, steel), t, steel, result.limit_state) for result in results
     }
 
 
@@ -98,6 +99,7 @@ class Need:
     minimum: float  # [m2/m]
     fails: float  # share of the plate's area where the concrete is too weak
     links: float  # share of the plate's area where bars in compression are counted on, in any layer
+    peak: float | None  # the largest moment of that face at a node, of the section and not averaged [N m/m]
     laid: float | None = None  # area of the bars provided there, where needs depend on it [m2/m]
 
 
@@ -127,8 +129,10 @@ def _governing(combined: Results, steel: Reinforcement, laid: Mapping[str, Array
     thickness, section = results[0].elements.at_nodes(plate)
     designs: dict[str, dict[str, DesignMoments]] = {}
     for result in results:
-        designs.setdefault(result.limit_state, {})[result.combination] = design_moments(result.plate)
+        designs.setdefault(result.limit_state, {})[result.combination] = bar_moments(result, steel)
     largest = {state: {layer: _largest(moments, layer) for layer in LAYERS} for state, moments in designs.items()}
+    peaks = [design_moments(result.plate) for result in results]
+    highest = {layer: np.max([np.abs(getattr(moments, layer)) for moments in peaks], axis=0) for layer in LAYERS}
     rows = []
     for layer in LAYERS:
         area = largest_areas(required, layer)[0]
@@ -140,7 +144,9 @@ def _governing(combined: Results, steel: Reinforcement, laid: Mapping[str, Array
             for state, by_layer in largest.items():
                 moments = [_peak(plate, nodes, *by_layer[face_layer]) for face_layer in (layer, _OTHER[layer])]
                 t = float(thickness[nodes[0]])
-                needs.append(_need(layer, int(number), t, steel, code_of(steel).bending(steel, state), moments, shares))
+                at_nodes = [float(highest[face_layer][nodes].max()) for face_layer in (layer, _OTHER[layer])]
+                rule = code_of(steel).bending(steel, state)
+                needs.append(_need(layer, int(number), t, steel, rule, moments, at_nodes, shares))
             worst = max(needs, key=lambda need: (need.area, abs(need.moment or 0.0)))
             rows.append(worst if laid is None else replace(worst, laid=float(own_area)))
     return rows
@@ -171,9 +177,13 @@ def _need(
     steel: Reinforcement,
     rule: BendingRule,
     moments: list[_Peak],
+    at_nodes: list[float],
     shares: list[float],
 ) -> Need:
-    """Return a layer's needs by a code's rule for the largest moments of its own face and of the other one."""
+    """Return a layer's needs by a code's rule for the largest moments of its own face and of the other one.
+
+    Those at nodes, which are not averaged, are named beside.
+    """
     here, crossing = axis_of(steel, layer), axis_of(steel, _OTHER[layer])
     depths = t - here, t - crossing
     near, other = (
@@ -192,7 +202,7 @@ def _need(
         governed_by = TOO_WEAK
         face = int(np.argmax(loads))
     size, where, name = moments[face]
-    at_top = layer.startswith("top") != (face == 1)
+    sign = -1 if layer.startswith("top") != (face == 1) else 1
     least = float(rule.minimum(np.array(depths[0]), t))
     needed = area > 0
     return Need(
@@ -200,13 +210,14 @@ def _need(
         section=section,
         area=area,
         governed_by=governed_by if needed else "",
-        moment=(-size if at_top else size) if needed else None,
+        moment=sign * size if needed else None,
         place=where if needed else None,
         combination=name if needed else None,
         thickness=t,
         minimum=least,
         fails=shares[0],
         links=shares[1],
+        peak=sign * at_nodes[face] if needed else None,
     )
 
 

@@ -9,7 +9,7 @@ import numpy as np
 from groundslab.arrays import Array
 from groundslab.design.bars import required_bars
 from groundslab.design.codes.registry import code_of
-from groundslab.design.demands.design_moments import design_moments
+from groundslab.design.demands.support_moments import bar_moments
 from groundslab.design.rules.check import DesignCheck
 from groundslab.design.rules.combinations import solved_results
 from groundslab.design.rules.demand_errors import greatest_moments
@@ -21,6 +21,8 @@ from groundslab.results.fields import LAYERS
 from groundslab.results.results import Results
 
 CM2 = 1e4
+#: A peak that is larger than the moment by more is named.
+NOT_AVERAGED = 0.005
 
 
 def checks(combined: Results) -> Iterator[DesignCheck]:
@@ -55,6 +57,9 @@ def _area(worst: required_bars.Need, code: DesignCode, error: float | None) -> D
         if worst.combination is not None
         else ""
     )
+    if worst.moment is not None and worst.peak is not None and abs(worst.peak) > abs(worst.moment) * (1 + NOT_AVERAGED):
+        peak, moment = abs(worst.peak) / 1e3, abs(worst.moment) / 1e3
+        by += Message("; {moment:.4g kNm/m}, not averaged {peak:.4g kNm/m}", moment=moment, peak=peak)
     return DesignCheck(
         Message("bars at the {name}", name=name),
         "no failure found" if enough else "fails",
@@ -81,14 +86,14 @@ def _area(worst: required_bars.Need, code: DesignCode, error: float | None) -> D
 def _error(combined: Results, steel: Reinforcement, worst: required_bars.Need, laid: Array) -> float | None:
     """Return the error of the area [cm2/m] where a layer is used most of bars laid (n,) [m2/m], by its combination."""
     results = None if worst.combination is None else combined.results[worst.combination]
-    greatest = None if results is None else greatest_moments(results)
+    greatest = None if results is None else greatest_moments(results, steel)
     if results is None or greatest is None:
         return None
     assert worst.laid is not None
     thickness, _ = results.elements.at_nodes(results.plate)
     used, most = (
         float((getattr(areas, worst.layer) / laid).max())
-        for moments in (design_moments(results.plate), greatest)
+        for moments in (bar_moments(results, steel), greatest)
         for areas in [required_bars.areas_for(moments, thickness, steel, results.limit_state)]
     )
     return (most - used) * worst.laid * CM2 if np.isfinite(most) else None

@@ -15,7 +15,9 @@ from groundslab.accuracy.values import (
     estimate_errors,
 )
 from groundslab.arrays import Array, Flags
-from groundslab.design.demands.design_moments import DesignMoments, design_moments
+from groundslab.design.demands.design_moments import DesignMoments
+from groundslab.design.demands.support_moments import bar_moments
+from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.fields import LAYERS
 from groundslab.results.results import CombinationResult
 
@@ -111,11 +113,11 @@ def moment_errors(results: CombinationResult) -> dict[str, Array]:
     }
 
 
-def greatest_moments(results: CombinationResult) -> DesignMoments | None:
-    """Return the design moments at the nodes (n,) as large as their errors allow; None without a coarser mesh."""
+def greatest_moments(results: CombinationResult, steel: Reinforcement) -> DesignMoments | None:
+    """Return the moments (n,) that bars are for, as large as their errors allow; None without a coarser mesh."""
     if results.coarser is None or results.comparison is None:
         return None
-    now, before = design_moments(results.plate), design_moments(results.coarser.plate)
+    now, before = bar_moments(results, steel), bar_moments(results.coarser, steel)
     moments = dict[str, Array]()
     for layer in LAYERS:
         m, other = getattr(now, layer), getattr(before, layer)

@@ -5,10 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Annotated, ClassVar, Literal, get_args
 
+from groundslab.model.design.averaging import Averaging, along_axis
 from groundslab.model.design.bars import OTHER_MESH, Bars, BarZone, Layer, MeshName, bars_of_mesh
 from groundslab.model.design.detailing import AllowedBars, Detailing
 from groundslab.model.ground import POSITIVE
 from groundslab.model.loads.annexes import AnnexName
+from groundslab.model.outputs import Output
 from groundslab.model.plate import Plate
 from groundslab.model.plates.other_plates import FurtherPlate, list_plates
 from groundslab.model.plates.region import PlateRegion
@@ -307,6 +309,9 @@ class Reinforcement(Section):
         MeshName | None, Choice(MeshName, "welded mesh at the top, instead of top_x and top_y", OTHER_MESH)
     ] = None
     zones: Annotated[tuple[BarZone, ...], Table("parts of the plan with additional bars between these")] = ()
+    averaging: Annotated[
+        Averaging, Table("which moments bars are for at supports: means over a width, those at faces, or peaks")
+    ] = Averaging()
     detailing: Annotated[
         Detailing | None, Table("how bars are cut and lapped, for quantities; without it bars have no laps")
     ] = None
@@ -398,6 +403,19 @@ def check_bar_zones(
         if zone.bars.diameter / 2 >= least:
             expected = f"bars thinner than {2 * least!r} m, whose axes lie {least!r} m from the face"
             yield RelativeIssue(("reinforcement", "zones", position), f"bars of {zone.bars.diameter!r} m", expected)
+
+
+def check_strips(reinforcement: Reinforcement | None, output: Output) -> Iterator[RelativeIssue]:
+    """Find that bars are to be designed by strips where there are none along x or y."""
+    if reinforcement is None or reinforcement.averaging.by != "strip":
+        return
+    place = ("reinforcement", "averaging", "by")
+    if not output.strips:
+        yield RelativeIssue(place, '"strip" without strips', "strips in output.strips", 'or "element"')
+    for position, strip in enumerate(output.strips):
+        if along_axis(strip) is None:
+            expected, hint = "one along x or along y", "bars are designed by strips (reinforcement.averaging.by)"
+            yield RelativeIssue(("output", "strips", position), "a strip at an angle to the bars", expected, hint)
 
 
 #: Carrying (R), and separating besides (E and I), for so many minutes.

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from groundslab.messages import Message, joined, series, words_in
 from groundslab.model.ground import ContinuousGround, Continuum, Winkler
+from groundslab.views.tables.reinforcement import averages
 
 if TYPE_CHECKING:
     from groundslab.model.model import Model
@@ -77,6 +78,10 @@ def list_assumptions(combined: Results) -> list[str]:
             )
         )
     sentences += [_SMOOTHED, *_of_pressure(combined)]
+    if model.reinforcement is not None:
+        sentences.append(
+            Message("Bars are for Wood's design moments, {supports}.", supports=averages(model.reinforcement))
+        )
     if len(combined.combinations) > 1:
         sentences.append(
             "Envelopes hold the extreme of each quantity by itself; values in different rows need not act together."

@@ -56,6 +56,7 @@ VALUES: dict[str, tuple[str, ...]] = {
     "wall_punching": _PUNCHING,
     "zone_punching": ("load", *_PUNCHING),
     "reinforcement": ("required area", "design moment"),
+    "support_moments": ("moment at the support", "peak moment"),
     "wall_reinforcement": ("shear force", "share used"),
     "beam_reinforcement": ("required area", "required links", "moment", "shear force", "torsional moment"),
 }  # fmt: skip
@@ -71,6 +72,8 @@ _ALIKE = {
     "settlement difference": "worst neighbour",
     "angular distortion without tilt": "worst neighbour",
     "design moment": "governed by",
+    "moment at the support": "bars",
+    "peak moment": "bars",
 }
 #: Values of the largest size, whose signs may differ between both meshes.
 _SIZES = {"largest deflection", "largest shear force", "largest torsional moment", "shear force", "torsional moment"}

@@ -9,6 +9,7 @@ from groundslab.design.bars.proposal.links import punching_links
 from groundslab.design.checks import check_design
 from groundslab.design.codes.registry import code_of
 from groundslab.design.demands.perimeter_loads import punching_piles
+from groundslab.design.demands.support_moments import has_support_areas
 from groundslab.design.demands.zones.thicker_zones import zone_forces
 from groundslab.design.rules.wall_ends import loaded_ends
 from groundslab.model.design.reinforcement import Reinforcement
@@ -24,7 +25,7 @@ from groundslab.views.tables.checks_table import checks_table
 from groundslab.views.tables.envelopes import envelopes, fields_of_envelope
 from groundslab.views.tables.locations import lines, points, soil, strips
 from groundslab.views.tables.punching import pile_punching, shear_reinforcement, wall_punching, zone_punching
-from groundslab.views.tables.reinforcement import reinforcement
+from groundslab.views.tables.reinforcement import reinforcement, support_moments
 from groundslab.views.tables.structure.beams import beam_reinforcement, beam_table
 from groundslab.views.tables.structure.building import building_table, storey_table
 from groundslab.views.tables.structure.columns import column_envelope, column_table
@@ -151,6 +152,7 @@ def _of_reinforcement(combined: Results, steel: Reinforcement) -> dict[str, Call
         makers["wall_punching"] = lambda: errors.with_errors(wall_punching, combined)
     wanted = {
         "reinforcement": (True, reinforcement),
+        "support_moments": (steel.averaging.at_columns != "peak" and has_support_areas(model), support_moments),
         "beam_reinforcement": (
             any(not isinstance(beam.section, GivenSection) for beam in model.beams), beam_reinforcement,
         ),

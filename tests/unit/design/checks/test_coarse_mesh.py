@@ -23,7 +23,13 @@ def pad(loads: list[dict[str, Any]], **mesh: Any) -> Design:
         cases=[{"name": "G"}],
         loads=loads,
         combinations=[{"name": "U", "factors": {"G": 1.35}}],
-        reinforcement={"f_ck": 30e6, "f_yk": 500e6, "bottom": (0.05, 0.07), "top": (0.05, 0.07)}
+        reinforcement={
+            "f_ck": 30e6,
+            "f_yk": 500e6,
+            "bottom": (0.05, 0.07),
+            "top": (0.05, 0.07),
+            "averaging": {"at_columns": "peak"},
+        }  # fmt: skip
         | dict.fromkeys(LAYERS, BARS),
         mesh=mesh,
     )

@@ -336,7 +336,7 @@ class TestNumbers:
         """Each table has its section, its title, its rows and its notes; a wide one in parts of few columns."""
         section = root.one("section", id="tables")
         tables = tables_of(plain)
-        assert len(tables) == 14
+        assert len(tables) == 15
         for table in tables:
             if table.name == "calculations":  # a chapter of its own
                 continue

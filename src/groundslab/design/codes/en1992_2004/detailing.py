@@ -10,7 +10,7 @@ from groundslab.arrays import Array, Flags, Integers
 from groundslab.design.codes.en1992_2004 import anchorage, cracking
 from groundslab.design.codes.en1992_2004.annex import annex_of
 from groundslab.design.codes.en1992_2004.materials_of_case import least_cover, materials, strengths, widest_crack
-from groundslab.design.demands.design_moments import design_moments
+from groundslab.design.demands.support_moments import bar_moments
 from groundslab.design.rules.combinations import solved_results
 from groundslab.design.rules.detailing_rule import DetailingRule, EndingBar
 from groundslab.model.design.laid_bars import axis_of
@@ -57,7 +57,7 @@ def crack_area(combined: Results, steel: Reinforcement, layer: str, diameter: fl
         return np.zeros(len(plate.nodes))
     (concrete, bars), f_yk = materials(steel), strengths(steel)[1]
     thickness = results[0].elements.at_nodes(plate)[0]
-    moments = {result.combination: np.abs(getattr(design_moments(result.plate), layer)) for result in results}
+    moments = {result.combination: np.abs(getattr(bar_moments(result, steel), layer)) for result in results}
     tension = np.max(list(moments.values()), axis=0) > 0
     lasting = [moments[result.combination] for result in results if result.limit_state == "quasi-permanent"]
     low = np.where(tension, cracking.minimum_area(thickness, concrete, f_yk), 0.0)

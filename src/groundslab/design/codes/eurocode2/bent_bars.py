@@ -13,7 +13,7 @@ import numpy as np
 
 from groundslab.arrays import Array
 from groundslab.design.codes.eurocode2.cracked_sections import Bars
-from groundslab.design.demands.design_moments import design_moments
+from groundslab.design.demands.support_moments import bar_moments
 from groundslab.design.rules.calculation import MEGA, Step
 from groundslab.design.rules.check import NO_COMBINATION, DesignCheck, not_judged
 from groundslab.design.rules.combinations import solved_results, why_none
@@ -85,13 +85,13 @@ def bars_in_tension(
         bars = Bars(layer_bars.diameter, layer_bars.spacing, cover, layer_bars.area)
         largest = []
         for result in results:
-            m = np.abs(getattr(design_moments(result.plate), layer))
+            m = np.abs(getattr(bar_moments(result, steel), layer))
             values = field(m, thickness, bars)
             node = extreme_node(result.plate.nodes, values, 1)
             place = place_of(result.plate.nodes, node)
             largest.append((float(values[node]), place, result.combination, float(m[node]), node))
         value, place, combination, moment, node = max(largest)
-        greatest, error = greatest_moments(combined.results[combination]), None
+        greatest, error = greatest_moments(combined.results[combination], steel), None
         if greatest is not None:
             error = float(field(np.abs(getattr(greatest, layer)), thickness, bars).max()) - value
         bent.append(BentBars(layer, value, place, combination, error, moment, node))
