@@ -49,6 +49,7 @@ from .model.design.floors import ACI360Floor as ACI360Floor
 from .model.design.floors import TR34Floor as TR34Floor
 from .model.design.limits import Limits as Limits
 from .model.design.limits import SoilStrength as SoilStrength
+from .model.design.punching_links import PunchingLinks as PunchingLinks
 from .model.design.reinforcement import Reinforcement as Reinforcement
 from .model.design.reinforcement import Restraint as Restraint
 from .model.ground import ConstrainedModulus as ConstrainedModulus

@@ -7,8 +7,9 @@ from dataclasses import replace
 from functools import partial
 from typing import Any
 
+from groundslab.design.bars.proposal.links import punching_links
 from groundslab.design.codes.registry import code_of
-from groundslab.design.rules.check import DesignCheck, judge_apart
+from groundslab.design.rules.check import DesignCheck, judge_apart, some
 from groundslab.design.rules.design_code import Calculation, PunchingRule
 from groundslab.design.rules.punching import (
     CALLED,
@@ -20,8 +21,15 @@ from groundslab.design.rules.punching import (
     with_way,
 )
 from groundslab.design.rules.punching_links.demand import Support
+from groundslab.design.rules.punching_links.layout import LinkLayout
+from groundslab.messages import Clause, Message, Name, quantity
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.results import Results
+
+#: What the check of links that are given is called.
+LINKS = "links against punching"
+#: What counts as rounding, relative: distances are written to the millimeter.
+ROUNDING = 1e-6
 
 
 def checks(combined: Results) -> Iterator[DesignCheck]:
@@ -35,6 +43,31 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
         judge = partial(_judged, support, demands, rule, steel)
         names = list(dict.fromkeys([*(name for _, name in demands.found), *demands.missing]))
         yield from judge_apart(names, str, combined.model.checks.off, judge)
+    layouts = [layout for layout in punching_links(combined) if layout.limits]
+    yield from judge_apart(layouts, lambda layout: layout.name, combined.model.checks.off, _links)
+
+
+def _links(layouts: list[LinkLayout]) -> Iterator[DesignCheck]:
+    """Yield whether links that are given are as the code asks: their distances, their legs, how far out they are."""
+    if not layouts:
+        return
+    layout, limit = max(
+        ((layout, limit) for layout in layouts for limit in layout.limits), key=lambda each: each[1].used
+    )
+    holds = limit.used <= 1 + ROUNDING
+    beyond = [other.name for other in layouts if any(limit.used > 1 + ROUNDING for limit in other.limits)]
+    sign = (">=" if holds else "<") if limit.least else ("<=" if holds else ">")
+    template = "{name}: {what} {value} {sign} {limit} ({clause})"
+    about = {"name": Name(layout.name), "what": limit.what, "sign": sign, "clause": Clause(limit.clause)}
+    words: str = Message(template, value=quantity(limit.value, limit.unit), limit=quantity(limit.limit, limit.unit),
+                         **about)  # fmt: skip
+    if len(beyond) > 1:
+        words += Message("; so do not {names}", names=some([name for name in beyond if name != layout.name]))
+    yield DesignCheck(
+        LINKS, "no failure found" if holds else "fails", words, of=layout.name, demand=limit.value,
+        resistance=limit.limit, unit=limit.unit, least=limit.least, clause=layout.clauses,
+        combination=layout.combination, place=layout.place,
+    )  # fmt: skip
 
 
 def _judged(

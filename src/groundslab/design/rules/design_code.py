@@ -86,6 +86,8 @@ class ShearRule:
     reach : callable or None
         Of all combinations: how far from the face of columns and piles punching is checked instead [m]; 2 d where it
         does not say.
+    beyond_links : float
+        So far beyond the outer links against punching that is checked instead, over d.
     cuts : callable or None
         Of a combination's results and materials: cuts beside columns over which means are checked, too.
     """
@@ -99,6 +101,7 @@ class ShearRule:
     least_thickness: float = 0.0
     struts_at_faces: bool = False
     reach: Callable[[Results], Reach] | None = None
+    beyond_links: float = 1.5
     cuts: Callable[[CombinationResult, Reinforcement], Iterator[Cut]] | None = None
 
 

@@ -70,24 +70,26 @@ def axis_of(steel: Reinforcement, layer: str) -> float:
 def laid_bars(steel: Reinforcement, layer: str, places: Array) -> LaidBars:
     """Return the bars of a layer at places (n, 2) [m]; those on the border of a zone have its bars. Some must be laid.
 
-    The places are the plate's nodes, whose extent says what counts as rounding there.
+    Their clear distance is that inside of zones: on a border that two zones share their bars do not lie between. The
+    places are the plate's nodes, whose extent says what counts as rounding there.
     """
     from shapely import intersects_xy
 
     x, y = places.T
     near = same_place(x.min(), x.max(), y.min(), y.max()) if len(places) else 0.0
     sets = bars_of(steel, layer)
-    masks = [np.ones(len(places), dtype=bool)]
+    masks, inside = ([np.ones(len(places), dtype=bool)] for _ in range(2))
     for zone in steel.zones:
         if layer in zone.layers:
-            region = polygon_of(zone.shape.ring()).buffer(near, join_style="mitre")
-            masks.append(intersects_xy(region, x, y))
+            region = polygon_of(zone.shape.ring())
+            for which, by in ((masks, near), (inside, -near)):
+                which.append(intersects_xy(region.buffer(by, join_style="mitre"), x, y))
     diameter, spacing = (np.array([getattr(bars, name) for bars in sets])[:, None] for name in ("diameter", "spacing"))
     count = np.array(masks) / spacing  # per length
     squares = (count * diameter**2).sum(axis=0)
     farthest = np.where(masks, spacing, np.inf).min(axis=0)
     thickest = np.where(masks, diameter, 0.0).max(axis=0)
-    clear = 1 / count.sum(axis=0) - thickest
+    clear = 1 / (np.array(inside) / spacing).sum(axis=0) - np.where(inside, diameter, 0.0).max(axis=0)
     return LaidBars(np.pi / 4 * squares, squares / (count * diameter).sum(axis=0), farthest, clear, thickest)
 
 

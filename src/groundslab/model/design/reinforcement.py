@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from typing import Annotated, ClassVar, Literal, get_args
 
 from groundslab.model.design.averaging import Averaging, along_axis
 from groundslab.model.design.bars import OTHER_MESH, Bars, BarZone, Layer, MeshName, bars_of_mesh
 from groundslab.model.design.detailing import AllowedBars, Detailing
+from groundslab.model.design.punching_links import PunchingLinks
 from groundslab.model.ground import POSITIVE
 from groundslab.model.loads.annexes import AnnexName
 from groundslab.model.outputs import Output
@@ -15,12 +17,16 @@ from groundslab.model.plate import Plate
 from groundslab.model.plates.other_plates import FurtherPlate, list_plates
 from groundslab.model.plates.region import PlateRegion
 from groundslab.model.shapes import CHORD
-from groundslab.model.supports import check_names
+from groundslab.model.structure.columns import Column
+from groundslab.model.structure.wall_ends import wall_ends
+from groundslab.model.structure.walls import Wall, place_walls
+from groundslab.model.supports import AnySupport, check_names
 from groundslab.schema.base import Check, Section
 from groundslab.schema.fields import Boolean, Choice, ListOf, Number, Quantity, list_quantities
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.ranges import Range
 from groundslab.schema.section_fields import Table
+from groundslab.schema.wording import quote, suggestion
 from groundslab.units import coordinate
 
 #: Strengths for which EN 1992-1-1 has rules (3.1.2(2), 3.2.2(3)).
@@ -101,6 +107,17 @@ def _check_meshes(
 
 def _check_zones(zones: tuple[BarZone, ...]) -> Iterator[RelativeIssue]:
     yield from check_names("zones", [zone.name for zone in zones], needed=True)
+
+
+def _check_links(code: str, links: tuple[PunchingLinks, ...]) -> Iterator[RelativeIssue]:
+    seen = set[str]()
+    for position, given in enumerate(links):
+        if given.of in seen:
+            yield RelativeIssue(("links", position, "of"), f"{quote(given.of)} again", "all its links at one place")
+        seen.add(given.of)
+        if given.kind == "studs" and code != "ACI 318":
+            expected, hint = f"links with {code}", "studs follow their approval, which is not known here"
+            yield RelativeIssue(("links", position, "kind"), '"studs"', expected, hint)
 
 
 def _check_axes(
@@ -191,7 +208,7 @@ class Reinforcement(Section):
 
     constraints: ClassVar[tuple[Check, ...]] = (
         _check_code, check_concrete, _check_steel, _check_all_layers, _check_axes, _check_cover, _check_meshes,
-        _check_zones, _check_fire,
+        _check_zones, _check_fire, _check_links,
     )  # fmt: skip
 
     code: Annotated[Code, Choice(Code, "code for the strength checks", "")] = "EN 1992-1-1"
@@ -309,6 +326,9 @@ class Reinforcement(Section):
         MeshName | None, Choice(MeshName, "welded mesh at the top, instead of top_x and top_y", OTHER_MESH)
     ] = None
     zones: Annotated[tuple[BarZone, ...], Table("parts of the plan with additional bars between these")] = ()
+    links: Annotated[
+        tuple[PunchingLinks, ...], Table("links against punching, to be checked; propose-bars writes them")
+    ] = ()
     averaging: Annotated[
         Averaging, Table("which moments bars are for at supports: means over a width, those at faces, or peaks")
     ] = Averaging()
@@ -329,6 +349,10 @@ class Reinforcement(Section):
     restraint: Annotated[
         Restraint | None, Table("restrained shortening of the slab, which bars at both faces must bear as it cracks")
     ] = None
+
+    def links_at(self, name: str) -> PunchingLinks | None:
+        """Return the links around what has a name; None if none are given."""
+        return next((links for links in self.links if links.of == name), None)
 
     @property
     def laid(self) -> bool:
@@ -403,6 +427,28 @@ def check_bar_zones(
         if zone.bars.diameter / 2 >= least:
             expected = f"bars thinner than {2 * least!r} m, whose axes lie {least!r} m from the face"
             yield RelativeIssue(("reinforcement", "zones", position), f"bars of {zone.bars.diameter!r} m", expected)
+
+
+def check_links(
+    reinforcement: Reinforcement | None,
+    columns: tuple[Column, ...],
+    supports: tuple[AnySupport, ...],
+    walls: tuple[Wall, ...],
+    plate: Plate,
+    plates: tuple[FurtherPlate, ...],
+) -> Iterator[RelativeIssue]:
+    """Find links around what is not there."""
+    if reinforcement is None or not reinforcement.links:
+        return
+    known = [column.name for column in columns]
+    known += [support.name or f"support {number}" for number, support in enumerate(supports, start=1)]
+    known += [end.name for end in wall_ends(place_walls(walls, list_plates(plate, plates)))]
+    for position, links in enumerate(reinforcement.links):
+        # ends over openings of the plate, and zones that are judged together, are known by the results
+        if links.of not in known and not re.match(r"zones? \d|edge at ", links.of):
+            place = ("reinforcement", "links", position, "of")
+            expected = "the name of a column, pile, zone or end of a wall"
+            yield RelativeIssue(place, quote(links.of), expected, suggestion(links.of, known))
 
 
 def check_strips(reinforcement: Reinforcement | None, output: Output) -> Iterator[RelativeIssue]:

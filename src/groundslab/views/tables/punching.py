@@ -163,9 +163,9 @@ def shear_reinforcement(combined: Results) -> Table:
     clauses = ", ".join(dict.fromkeys(layout.clauses for layout in layouts))
     notes = [
         Message(
-            "Vertical legs in perimeters around what punches, by {clauses}, of the diameter of "
-            "reinforcement.proposal.link_diameters that needs the least steel. They are proposed: the case "
-            "has no links.",
+            "Vertical legs in perimeters around what punches, by {clauses}: those of reinforcement.links, and where "
+            "the case gives none proposed ones, of the diameter of reinforcement.proposal.link_diameters that needs "
+            "the least steel.",
             clauses=Clause(clauses),
         ),
         "Legs are as long as the covers of both faces leave of the thickness, without hooks, and keep off edges and "
@@ -185,7 +185,7 @@ def _link_rows(layout: LinkLayout) -> Iterator[list[Cell]]:
         yield [
             *start, position, perimeter.distance, perimeter.length, number, layout.diameter * 1e3,
             perimeter.required * 1e4, perimeter.provided * 1e4, perimeter.spacing * 1e3, perimeter.most_spacing * 1e3,
-            layout.leg, number * layout.leg, number * layout.leg_mass, *end, None,
+            layout.leg, number * layout.leg, number * layout.leg_mass, *end, "given" if layout.limits else "proposed",
         ]  # fmt: skip
 
 

@@ -89,8 +89,8 @@ def support_moments(combined: Results, steel: Reinforcement) -> Table:
         Message("Wood's design moments, {supports}.", supports=averages(steel)),
         "Of bars along x and along y, at the top or at the bottom, the larger one over all ultimate combinations. "
         "Lines run across the bars, from the face of the support to where its width ends, and end at edges, openings, "
-        "joints and steps; the place is the middle of the line that governs. The peak is the largest at the nodes beside it "
-        "in that combination.",
+        "joints and steps; the place is the middle of the line that governs. The peak is the largest at the nodes "
+        "beside it in that combination.",
     ]
     return table_of("support_moments", "Design moments at supports", heads, rows, notes)
 

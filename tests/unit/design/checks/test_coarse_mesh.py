@@ -29,7 +29,7 @@ def pad(loads: list[dict[str, Any]], **mesh: Any) -> Design:
             "bottom": (0.05, 0.07),
             "top": (0.05, 0.07),
             "averaging": {"at_columns": "peak"},
-        }  # fmt: skip
+        }
         | dict.fromkeys(LAYERS, BARS),
         mesh=mesh,
     )

@@ -119,7 +119,9 @@ def test_what_pulls_needs_links_and_fails(code: str) -> None:
     v_Ed, v_Rd = HAND[code](1e6, 0.0, D_TOP)
     P = 1.2e6 * v_Rd / v_Ed / 1.35
     of = solved(code, -P)
-    assert check(code, of).status == "attention"
+    failing = check(code, of)
+    assert failing.status == "fails"
+    assert "are needed" in failing.words or "is needed" in failing.words
     tables = {table.name: table for table in tables_of(of)}
     assert any("it punches the other way" in note for note in tables["columns"].notes)
     assert follow(tables["calculations"])

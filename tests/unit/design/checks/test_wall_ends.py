@@ -123,10 +123,10 @@ def test_punching_by_the_second_generation() -> None:
 
 
 def test_links_are_needed_where_the_concrete_is_not_enough_and_none_help_beyond() -> None:
-    """v_Ed between one and k_max = 1.5 times v_Rd needs attention, beyond it fails; resistance is 1.5 v_Rd there."""
+    """v_Ed between one and k_max = 1.5 times v_Rd needs links, beyond it none help; resistance is 1.5 v_Rd there."""
     used = row_of(table_of(results()))["v_Ed / v_Rd"]
     needed = of_walls(punching.checks(results(q=1.2 / used * C)))
-    assert needed.status == "attention"
+    assert needed.status == "fails"
     assert needed.words.startswith("punching reinforcement is needed at 1 wall end; worst end of W")
     assert "m from the wall end (6.4.5(4), 6.54)" in needed.words
     failing = of_walls(punching.checks(results(q=1.6 / used * C)))

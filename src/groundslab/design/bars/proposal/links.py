@@ -6,7 +6,7 @@ from groundslab.arrays import made_once
 from groundslab.design.codes.registry import code_of
 from groundslab.design.rules.combinations import ultimate_results
 from groundslab.design.rules.punching import punching_supports
-from groundslab.design.rules.punching_links.layout import LinkLayout, lay_links
+from groundslab.design.rules.punching_links.layout import LinkLayout, lay_links, read_links
 from groundslab.model.design.detailing import allowed_bars
 from groundslab.model.design.laid_bars import axis_of
 from groundslab.model.design.reinforcement import Reinforcement
@@ -16,9 +16,10 @@ from groundslab.schema.issues import require
 
 @made_once
 def punching_links(combined: Results) -> tuple[LinkLayout, ...]:
-    """Return links in perimeters around each column, pile, zone and end of a wall that needs them.
+    """Return links in perimeters around each column, pile, zone and end of a wall that needs them, or has some.
 
-    Their diameter is that of ``reinforcement.proposal.link_diameters`` with the least steel; legs are as long as the
+    Those that the case gives are as given, with what the code asks of them. Of the others the diameter is that of
+    ``reinforcement.proposal.link_diameters`` with the least steel; legs are as long as the
     covers of both faces leave of the thickness, and keep off edges and openings by the larger cover.
 
     Parameters
@@ -51,6 +52,8 @@ def punching_links(combined: Results) -> tuple[LinkLayout, ...]:
     diameters = allowed_bars(steel.proposal, combined.model.units).link_diameters
     return tuple(
         lay_links(demand, diameters, covers)
+        if (given := steel.links_at(demand.name)) is None
+        else read_links(demand, given, covers)
         for support in punching_supports(combined)
         for demand in rule.links(combined, steel, support, rule.demands[support](combined))
     )

@@ -25,6 +25,7 @@ from groundslab.messages import Message
 from groundslab.model.design.bars import BarZone
 from groundslab.model.design.detailing import Detailing, allowed_bars
 from groundslab.model.design.laid_bars import axis_of, bar_area, laid_bars, polygon_of
+from groundslab.model.design.punching_links import PunchingLinks
 from groundslab.model.design.reinforcement import Reinforcement, axes_by_cover
 from groundslab.model.model import Model
 from groundslab.model.plates.region import get_plate_region
@@ -36,6 +37,8 @@ from groundslab.schema.issues import require
 MOST_ROUNDS = 10
 #: A face may be in tension where its moment is less than this share of the largest one on the other side of none.
 NEAR_TENSION = 0.02
+#: The check that links are for, whatever the code calls it.
+ANY_PUNCHING = "punching within 2 d"
 #: What counts as rounding, relative.
 ROUNDING = 1e-9
 
@@ -54,7 +57,8 @@ class BarProposal:
     laid : dict of str to float
         By layer, the steel of base and zones over the plan, anchorage of zones included, laps not [m3].
     links : tuple of LinkLayout
-        Links against punching that these bars leave necessary; they are no part of the case.
+        Links against punching that these bars leave necessary, as the case gives them; with the reason where none can
+        be laid.
     remarks : tuple of str
         What a proposal could not keep to, or what was not looked at.
     """
@@ -334,7 +338,7 @@ def _with_bars(steel: Reinforcement, layers: dict[str, LayerProposal], grid: Pla
             assert steel.cover is not None
             changes[face] = axes_by_cover(steel.cover[face == "top"], steel.outer, *thickest)
     detailing = steel.detailing or Detailing()
-    cleared = {"bottom_mesh": None, "top_mesh": None, "zones": tuple(zones), "detailing": detailing}
+    cleared = {"bottom_mesh": None, "top_mesh": None, "zones": tuple(zones), "links": (), "detailing": detailing}
     return steel.model_copy(update=changes | cleared)
 
 
@@ -354,8 +358,30 @@ def _proposal(results: Results, found: Reinforcement, needs: dict[str, Array], r
             if layer in zone.layers:
                 laid[layer] += bar_area(zone.bars) * float(polygon_of(zone.shape.ring()).intersection(region.area).area)
     required = {layer: float((needs[layer] * plate.area).sum()) for layer in LAYERS}
-    links = punching_links(replace(results, model=model))
-    return BarProposal(model, required, laid, links, tuple(remarks))
+    off = [check for check in model.checks.off if check.covers(ANY_PUNCHING, check.of)]
+    links = [
+        layout
+        for layout in punching_links(replace(results, model=model))
+        if not any(check.of in ("", layout.name) for check in off)
+    ]
+    given = [
+        PunchingLinks(
+            of=layout.name,
+            diameter=layout.diameter,
+            distances=tuple(round(perimeter.distance, 6) for perimeter in layout.perimeters),
+            legs=_one_if_alike(tuple(len(perimeter.places) for perimeter in layout.perimeters)),
+        )
+        for layout in links
+        if layout.perimeters
+    ]
+    with_links = found.model_copy(update={"links": tuple(given), "proposal": steel.proposal})
+    model = model.model_copy(update={"reinforcement": with_links})
+    return BarProposal(model, required, laid, tuple(links), tuple(remarks))
+
+
+def _one_if_alike(legs: tuple[int, ...]) -> tuple[int, ...]:
+    """Return the legs on each perimeter, one number if all have as many."""
+    return legs[:1] if len(set(legs)) == 1 else legs
 
 
 def _remarks(results: Results, rule: DetailingRule) -> Iterator[str]:
@@ -370,4 +396,4 @@ def _remarks(results: Results, rule: DetailingRule) -> Iterator[str]:
         yield "bars at edges of the slab count as held there, though detailing.edge_bars is false: hook them"
     if results.model.cracking is not None:
         yield "[cracking]: bars change the stiffness; solve the case again with them"
-    yield "punching and one-way shear ask for no more bars here; check the case with the bars"
+    yield "punching and one-way shear ask for no more bars here; solve the case with the bars and links"

@@ -87,6 +87,8 @@ class ShearPlaces:
     forces: Sequence[PunchingForce]  # whose punching is checked instead near them
     reach: Reach  # how far from them [m], else 2 d
     necks: list[Cut]  # across narrow parts of the slab
+    links: Mapping[str, float]  # how far from the face outer links against punching are [m], by what has them
+    beyond_links: float  # so far beyond these punching is checked, over d
     _known: dict[tuple[tuple[int, ...], ...], PlacesByReach] = field(default_factory=dict)
 
     def of(self, results: CombinationResult) -> PlacesByReach:
@@ -128,6 +130,8 @@ class ShearPlaces:
         counts, at_places = places.counts, points(places.xy)
         for force in punching:
             reach = np.minimum(self.reach.get(force.key, np.inf), 2 * places.d)
+            if force.name in self.links:
+                reach = np.maximum(reach, self.links[force.name] + self.beyond_links * places.d)
             near = distance(at_places, force.footprint.footprint()) <= reach
             if force.at_zone:
                 near &= places.thickness <= force.thickness(results) * (1 + SAME)

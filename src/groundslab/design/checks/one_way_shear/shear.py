@@ -61,7 +61,9 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
     model = combined.solved_model
     punching = (*punching_columns(model), *punching_piles(model), *zone_forces(combined))
     nodes = nodes_of(steel, rule, results)
-    places = ShearPlaces(nodes, bearers(model), punching, reach, neck_cuts(results[0], nodes.thickness))
+    links = {given.of: given.distances[-1] for given in steel.links}
+    necks = neck_cuts(results[0], nodes.thickness)
+    places = ShearPlaces(nodes, bearers(model), punching, reach, necks, links, rule.beyond_links)
     demands = [demand for result in results for demand in _of_combination(result, places, steel, rule)]
     beside = [] if rule.cuts is None else list(rule.cuts(results[0], steel))
     demands += [demand for result in results for demand in _across(result, places, steel, rule, beside)]

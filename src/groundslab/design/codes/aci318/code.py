@@ -52,6 +52,7 @@ ACI318 = DesignCode(
         most_ratio=MOST_BARS,
         least_share=bending.LEAST,
         reach=one_way_shear.reach,
+        beyond_links=0.5,  # 22.6.4.2
         cuts=wide_beam.cuts,
     ),
     punching=PunchingRule(

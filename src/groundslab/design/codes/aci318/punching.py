@@ -29,6 +29,10 @@ FORMULAS = {
     "v_u": "V_u / (b_o * d) + gamma_v1 * M_1 * c_1 / J_1 + gamma_v2 * M_2 * c_2 / J_2",
     "v_c": "min(0.33, 0.166 * (1 + 2 / beta), 0.083 * (2 + alpha_s * d / b_o)) * lambda_s * r",
     "v_max": "0.498 * r",
+    "v_cs (s)": "min(0.25, 0.166 * (1 + 2 / beta), 0.083 * (2 + alpha_s * d / b_o)) * lambda_s * r",
+    "v_max (s)": "0.66 * r",
+    "v_s": "A_v / 10000 * f_yt / (b_o * s)",
+    "v_n": "min(v_cs + v_s, v_max)",
     "v_cs": "0.166 * lambda_s * r",
     "A_v / s": "(v_u / phi - v_cs) * b_o / f_yt * 10000",
 }
@@ -59,6 +63,27 @@ def most_with_links(concrete: Concrete) -> float:
 def with_links(concrete: Concrete, d: float) -> float:
     """Return v_c [Pa] where there are stirrups, and at the section beyond them (Table 22.6.6.1)."""
     return 0.166 * concrete.lambda_s(d) * concrete.root
+
+
+def with_studs(concrete: Concrete, d: float, b_o: float, beta: float, alpha_s: float) -> float:
+    """Return v_c [Pa] where there are headed studs (Table 22.6.6.1)."""
+    factor = min(0.25, 0.166 * (1 + 2 / beta), 0.083 * (2 + alpha_s * d / b_o))
+    return factor * concrete.lambda_s(d) * concrete.root
+
+
+def most_with_studs(concrete: Concrete) -> float:
+    """Return the largest nominal stress [Pa] that headed studs can make of it, 22.6.6.3."""
+    return 0.66 * concrete.root
+
+
+def least_studs(s: float, b_o: float, concrete: Concrete, steel: Steel) -> float:
+    """Return the least area [m2] of headed studs on each perimeter, s apart [m], 22.6.8.3."""
+    return 0.17 * concrete.root * b_o * s / steel.f_yt
+
+
+def of_links(A_v: float, s: float, b_o: float, steel: Steel) -> float:
+    """Return v_s [Pa] of perimeters of links or studs s apart [m], A_v [m2] each (22.6.7.2, 22.6.8.2)."""
+    return A_v * steel.f_yt / (b_o * s)
 
 
 def links(v_u: float, d: float, b_o: float, concrete: Concrete, steel: Steel) -> float:

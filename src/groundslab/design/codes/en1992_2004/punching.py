@@ -32,6 +32,8 @@ FORMULAS = {
     "v_Ed by M": "(V_Ed + sqrt((k_1 * M_1 * u / W_1)^2 + (k_2 * M_2 * u / W_2)^2)) / (u * d)",
     "v_Rd": "v_Rd,c * 2 * d / a",
     "A_sw": "(v_Ed - 0.75 * v_Rd) * u * d / (n_s * f_ywd,ef) * 10000",
+    "v_Rd,cs": "0.75 * v_Rd + n_s * A_sw / 10000 * f_ywd,ef / (u * d)",
+    "v_Rd,cs alone": "A_sw / 10000 * f_ywd,ef / (u * d)",
     "A_sw alone": "v_Ed * u * d / f_ywd,ef * 10000",
     "u_out": "v_l * u_l / v_Rd,c",
     "f_ywd,ef": "min(250 + 0.25 * 1000 * d, f_ywd)",
@@ -109,6 +111,11 @@ def links_that_count(a: float, first: float, s_r: float, d: float) -> float:
     """
     within = 1 + math.floor((a - first) / s_r + 1e-6)
     return min(1.5 * d / s_r, float(max(1, within)))
+
+
+def resistance_with_links(v_Rd_c: float, A_sw: float, count: float, u: float, d: float, f_ywd: float) -> float:
+    """Return v_Rd,cs [Pa] with a count of perimeters of vertical links, A_sw [m2] each, by 6.52; f_ywd [Pa] at most."""
+    return 0.75 * v_Rd_c + count * A_sw * effective_strength(d, f_ywd) / (u * d)
 
 
 def links_per_perimeter(v_Ed: float, v_Rd_c: float, u: float, d: float, count: float, f_ywd: float) -> float:

@@ -40,6 +40,7 @@ FORMULAS = {
     "phi_w": "10 * sqrt(1000 * d_v / 200)",
     "eta_s": "min(0.8, 1000 * d_v / (150 * phi_w) + sqrt(15 * d_dg / (1000 * d_v)) / (eta_c * k_pb)^(3/2))",
     "a_sw": "min((tau_Ed - eta_c * tau_Rd,c) / eta_s, tau_Ed) / f_ywd * 10000",
+    "tau_cs": "max(eta_c * tau_Rd,c + eta_s * rho_w * f_ywd, rho_w * f_ywd)",
     "tau_max": "eta_sys * tau_Rd,c",
     "b_out": "b_05 * (d_v / (d_out * eta_c))^2",
 }

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING, Literal, NamedTuple
 
 from groundslab.arrays import Array
 
 if TYPE_CHECKING:
     from shapely.geometry.base import BaseGeometry
+
+    from groundslab.model.design.punching_links import PunchingLinks
 
 #: Distances of perimeters are multiples of this [m].
 STEP = 0.005
@@ -25,6 +27,23 @@ class LinkRow:
     distance: float  # from the face [m]
     area: float  # of all its legs [m2]
     spacing: float  # of its legs along it, at most [m]
+
+
+class LinkLimit(NamedTuple):
+    """What a code asks of links that are given."""
+
+    what: str
+    value: float
+    limit: float
+    unit: str
+    clause: str
+    least: bool = False  # whether the value must not be less
+
+    @property
+    def used(self) -> float:
+        """Return the value over its limit, or the other way round."""
+        over, under = (self.limit, self.value) if self.least else (self.value, self.limit)
+        return over / under if under > 0 else math.inf if over > 0 else 0.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,12 +62,18 @@ class Arrangement:
         openings take off. It raises InputError where there is no such perimeter.
     plan : geometry
         Where the slab is; legs keep off its edges and openings.
+    rows : callable
+        Of links that are given: what the code asks of each of their perimeters.
+    limits : callable
+        Of links that are given: what else the code asks of them.
     """
 
     thickness: float
     options: Callable[[float], Iterator[tuple[LinkRow, ...]]]
     lines: Callable[[float], Array]
     plan: BaseGeometry
+    rows: Callable[[PunchingLinks], tuple[LinkRow, ...]]
+    limits: Callable[[PunchingLinks], Iterable[LinkLimit]]
 
 
 @dataclass(frozen=True, slots=True)

@@ -15,10 +15,11 @@ from functools import cache
 import numpy as np
 
 from groundslab.arrays import Array
-from groundslab.design.rules.punching_links.demand import Arrangement, LinkDemand, LinkRow, Support
+from groundslab.design.rules.punching_links.demand import Arrangement, LinkDemand, LinkLimit, LinkRow, Support
 from groundslab.errors import InputError
 from groundslab.messages import Message
 from groundslab.model.design.laid_bars import DENSITY
+from groundslab.model.design.punching_links import PunchingLinks
 
 #: Legs are at least so far apart along a perimeter [m], so that concrete gets between them.
 LEAST_APART = 0.1
@@ -77,6 +78,8 @@ class LinkLayout:
         From the inner to the outer one; none where no links can be laid.
     why : str
         The reason why there are none; else empty.
+    limits : tuple of LinkLimit
+        Of links that are given: what the code asks of them. None of those that are proposed.
     """
 
     support: Support
@@ -88,6 +91,7 @@ class LinkLayout:
     leg: float = 0.0
     perimeters: tuple[LinkPerimeter, ...] = ()
     why: str = ""
+    limits: tuple[LinkLimit, ...] = ()
 
     @property
     def where(self) -> str:
@@ -161,6 +165,49 @@ def lay_links(demand: LinkDemand, diameters: Sequence[float], covers: tuple[floa
     if not layouts:
         return LinkLayout(*start, why=problems[0] if problems else _no_room(arrangement, diameters))
     return min(layouts, key=lambda layout: (layout.mass, layout.number))
+
+
+def read_links(demand: LinkDemand, given: PunchingLinks, covers: tuple[float, float]) -> LinkLayout:
+    """Return links that are given, with what the code asks of them, with covers [m] at the bottom and the top.
+
+    Legs are shared out to the parts of a perimeter that count so that they are as near to each other as they can be.
+    """
+    arrangement = demand.arrangement
+    start = demand.support, demand.name, demand.place, demand.combination, demand.clauses
+    if isinstance(arrangement, str):
+        return LinkLayout(*start, why=arrangement)
+    inner = arrangement.plan.buffer(-(max(covers) + given.diameter / 2))
+    limits, perimeters = [*arrangement.limits(given)], list[LinkPerimeter]()
+    for row, count in zip(arrangement.rows(given), given.counts, strict=True):
+        try:
+            parts = _chains(arrangement.lines(row.distance), inner)
+        except InputError as error:
+            return LinkLayout(*start, why=str(error))
+        perimeter = _given_perimeter(row, parts, count, given.leg_area)
+        perimeters.append(perimeter)
+        if row.area:
+            limits.append(LinkLimit(
+                Message("legs {distance:.4g m} from the face", distance=row.distance), perimeter.provided * 1e4,
+                row.area * 1e4, "cm2", demand.clauses, least=True,
+            ))  # fmt: skip
+        what = Message("distance of legs along the perimeter {distance:.4g m} from the face", distance=row.distance)
+        limits.append(LinkLimit(what, perimeter.spacing * 1e3, row.spacing * 1e3, "mm", demand.clauses))
+    leg = arrangement.thickness - sum(covers)
+    return LinkLayout(*start, given.diameter, leg, tuple(perimeters), limits=tuple(limits))
+
+
+def _given_perimeter(row: LinkRow, parts: list[Array], count: int, of_leg: float) -> LinkPerimeter:
+    """Return a perimeter with so many legs on parts of it, each places (k, 2)."""
+    lengths = np.array([_length(part) for part in parts])
+    counts = np.zeros(len(parts), dtype=int)
+    for _ in range(count if len(parts) else 0):
+        counts[np.argmax(np.divide(lengths, counts, out=np.full(len(parts), np.inf), where=counts > 0))] += 1
+    spacing = max((length / n if n else math.inf for length, n in zip(lengths, counts, strict=True)), default=math.inf)
+    places = [_along(part, int(n)) for part, n in zip(parts, counts, strict=True) if n]
+    of_all = np.concatenate(places) if places else np.empty((0, 2))
+    return LinkPerimeter(
+        row.distance, float(lengths.sum()), row.area, of_leg * len(of_all), float(spacing), row.spacing, of_all
+    )
 
 
 def _no_room(arrangement: Arrangement, diameters: Sequence[float]) -> str:

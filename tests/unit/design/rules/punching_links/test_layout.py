@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from typing import Any
 
 import numpy as np
 import pytest
@@ -25,6 +26,11 @@ def around(distance: float) -> Array:
     return np.stack([ring[:-1], ring[1:]], axis=1)
 
 
+def arrangement(options: Any, lines: Any, plan: BaseGeometry) -> Arrangement:
+    """Return how links may be arranged in a slab of 0.5 m; what is asked of given ones is that of the codes."""
+    return Arrangement(0.5, options, lines, plan, lambda _: (), lambda _: ())
+
+
 def demand(rows: tuple[LinkRow, ...], plan: BaseGeometry = SLAB, most: float = 1.0) -> LinkDemand:
     """Return a demand for these rows at any diameter up to the largest."""
 
@@ -32,7 +38,7 @@ def demand(rows: tuple[LinkRow, ...], plan: BaseGeometry = SLAB, most: float = 1
         if diameter <= most:
             yield rows
 
-    return LinkDemand("column", "C", (0.0, 0.0), "ULS", "by hand", Arrangement(0.5, options, around, plan))
+    return LinkDemand("column", "C", (0.0, 0.0), "ULS", "by hand", arrangement(options, around, plan))
 
 
 def test_legs_of_two_perimeters_are_those_of_a_hand_calculation() -> None:
@@ -105,10 +111,10 @@ def test_reason_is_said_where_there_are_no_links() -> None:
         yield from ()
 
     assert _layout_without("links do not help").why == "links do not help"
-    assert "may be used" in _layout_without(Arrangement(0.5, none, around, SLAB)).why
-    assert "closer than 100 mm" in _layout_without(Arrangement(0.5, one, around, SLAB)).why
-    assert "some plate" in _layout_without(Arrangement(0.5, one, nowhere, SLAB)).why
-    assert "closer" in _layout_without(Arrangement(0.5, one, around, box(5, 5, 6, 6))).why
+    assert "may be used" in _layout_without(arrangement(none, around, SLAB)).why
+    assert "closer than 100 mm" in _layout_without(arrangement(one, around, SLAB)).why
+    assert "some plate" in _layout_without(arrangement(one, nowhere, SLAB)).why
+    assert "closer" in _layout_without(arrangement(one, around, box(5, 5, 6, 6))).why
 
 
 def test_many_perimeters_are_counted_together() -> None:

@@ -14,6 +14,7 @@ import numpy as np
 
 from groundslab.arrays import Array
 from groundslab.design.codes.aci318 import punching as aci318
+from groundslab.design.codes.aci318.checks.laid_links import laid_links
 from groundslab.design.codes.aci318.checks.two_way_demand import (
     TwoWay,
     demand_on,
@@ -28,8 +29,16 @@ from groundslab.design.demands.perimeter_loads import PunchingForce
 from groundslab.design.demands.perimeters import Surroundings, perimeter_at, surroundings
 from groundslab.design.rules.combinations import ultimate_results
 from groundslab.design.rules.punching import Demands, forces_that_punch
-from groundslab.design.rules.punching_links.demand import Arrangement, LinkDemand, LinkRow, Support, rounded_down
+from groundslab.design.rules.punching_links.demand import (
+    Arrangement,
+    LinkDemand,
+    LinkLimit,
+    LinkRow,
+    Support,
+    rounded_down,
+)
 from groundslab.messages import Message
+from groundslab.model.design.punching_links import PunchingLinks
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.results import CombinationResult, Results
 
@@ -37,6 +46,8 @@ from groundslab.results.results import CombinationResult, Results
 APART, ALONG = 0.5, 2.0
 #: The effective depth over the diameter, at least (22.6.7.1).
 LEAST_SLENDER = 16.0
+#: The same of headed studs where v_u is at most this times phi (f'c)^(1/2), in MPa (Table 8.7.7.1.2).
+APART_STUDS, LIGHTLY_STRESSED = 0.75, 0.5
 #: Perimeters at least and at most.
 LEAST_ROWS, MOST_ROWS = 2, 20
 CLAUSES = "ACI 318-19 22.6.7, 8.7.6"
@@ -71,11 +82,13 @@ def _of_forces(
     """Yield the columns, piles or zones that need stirrups."""
     for punching in forces:
         of_force = {pair: demand for pair, demand in known.items() if pair[1] == punching.name and not demand.supported}
-        needing = [demand for demand in of_force.values() if used(demand, steel) > 1]
+        given = steel.links_at(punching.name)
+        needing = [demand for demand in of_force.values() if given is not None or used(demand, steel) > 1]
         if not needing:
             continue
         worst = max(needing, key=lambda demand: demand.v_u)
-        arrangement = _refused(steel, needing) or _arrangement(results, steel, punching, worst)
+        studs = given is not None and given.kind == "studs"
+        arrangement = _refused(steel, needing, studs) or _arrangement(results, steel, punching, worst)
         yield LinkDemand(support, punching.name, punching.place, worst.combination, CLAUSES, arrangement)
 
 
@@ -85,17 +98,60 @@ def _arrangement(
     """Return the perimeters around a column or pile, by the combination that needs most, or why there are none."""
     d, first = worst.d, results[0]
     s = rounded_down(APART * d)
-    counts = [count for way in punching.ways if (count := _rows(results, way, steel, d, s)) is not None]
-    if len(counts) < len(punching.ways):
+    counts = [count for way in punching.ways if (count := _count(results, way, steel, d, s)) is not None]
+    given = steel.links_at(punching.name)
+    if len(counts) < len(punching.ways) and given is None:
         return Message(
             "stirrups would go on beyond {most_rows:g} d from the face, as v_u hardly falls outwards",
             most_rows=MOST_ROWS * APART,
         )
-    area, count = aci318.links(worst.v_u, d, worst.b_o, *materials(steel)) * s, max(counts)
-    plate = plate_under(first, *punching.place)
-    around = surroundings(plate, punching.footprint, (count + 1) * s, openings_of(first, punching))
+    area, count = aci318.links(worst.v_u, d, worst.b_o, *materials(steel)) * s, max(counts, default=MOST_ROWS)
+    plate, far = plate_under(first, *punching.place), (count + 1) * s
+    if given is not None:
+        far = max(far, given.distances[-1] + d)
+    around = surroundings(plate, punching.footprint, far, openings_of(first, punching))
     options = _options([LinkRow((n + 1) * s, area, ALONG * d) for n in range(count)], d)
-    return Arrangement(punching.thickness(first), options, partial(_legs, around), around.plan)
+    rows, limits = partial(_rows, steel, worst), partial(_limits, results, steel, punching, worst)
+    return Arrangement(punching.thickness(first), options, partial(_legs, around), around.plan, rows, limits)
+
+
+def _rows(steel: Reinforcement, worst: TwoWay, given: PunchingLinks) -> tuple[LinkRow, ...]:
+    """Return what each perimeter of links that are given needs."""
+    links = laid_links(worst, steel)
+    assert links is not None
+    v_s = max(worst.v_u / PHI_SHEAR - links.v_c, 0.0)
+    area = v_s * worst.b_o * links.s / materials(steel)[1].f_yt
+    if given.kind == "studs":
+        area = max(area, aci318.least_studs(links.s, worst.b_o, *materials(steel)))
+    return tuple(LinkRow(distance, area, ALONG * worst.d) for distance in given.distances)
+
+
+def _limits(
+    results: Sequence[CombinationResult],
+    steel: Reinforcement,
+    punching: PunchingForce,
+    worst: TwoWay,
+    given: PunchingLinks,
+) -> Iterator[LinkLimit]:
+    """Yield what 22.6.4.2, 22.6.7.1, 8.7.6.3 and 8.7.7.1.2 ask of links that are given."""
+    concrete, d = materials(steel)[0], worst.d
+    studs = given.kind == "studs"
+    clause = "8.7.7.1.2" if studs else "8.7.6.3"
+    wide = studs and worst.v_u <= PHI_SHEAR * LIGHTLY_STRESSED * concrete.root
+    first, apart = "distance of the inner perimeter from the face", "distance of perimeters"
+    yield LinkLimit(first, given.distances[0] * 1e3, APART * d * 1e3, "mm", clause)
+    if given.apart is not None:
+        yield LinkLimit(apart, given.apart * 1e3, (APART_STUDS if wide else APART) * d * 1e3, "mm", clause)
+    if not studs:
+        yield LinkLimit("diameter of links", given.diameter * 1e3, d / LEAST_SLENDER * 1e3, "mm", "22.6.7.1")
+    beyond = [
+        v_u
+        for way in punching.ways
+        if (v_u := _beyond(results, way, steel, d, given.distances[-1] + APART * d)) is not None
+    ]
+    most = PHI_SHEAR * aci318.with_links(concrete, d)
+    stress = "stress d / 2 beyond the outer perimeter"
+    yield LinkLimit(stress, max(beyond, default=0.0) / 1e6, most / 1e6, "MPa", "22.6.4.2, 22.6.6.1")
 
 
 def _legs(around: Surroundings, distance: float) -> Array:
@@ -103,9 +159,14 @@ def _legs(around: Surroundings, distance: float) -> Array:
     return perimeter_at(around, distance, near=np.inf).legs
 
 
-def _refused(steel: Reinforcement, needing: Sequence[TwoWay]) -> str:
-    """Return why stirrups do not help; empty if they do."""
-    most = PHI_SHEAR * aci318.most_with_links(materials(steel)[0])
+def _refused(steel: Reinforcement, needing: Sequence[TwoWay], studs: bool) -> str:
+    """Return why stirrups do not help, or studs that are given; empty if they do."""
+    concrete = materials(steel)[0]
+    if studs:
+        most_used = max(demand.v_u for demand in needing) / (PHI_SHEAR * aci318.most_with_studs(concrete))
+        words = Message("studs do not suffice: v_u is {used:.3g} phi 0.66 (f'c)^(1/2) (22.6.6.3)", used=most_used)
+        return words if most_used > 1 else ""
+    most = PHI_SHEAR * aci318.most_with_links(concrete)
     used = max(demand.v_u for demand in needing) / most
     if used > 1:
         return Message("stirrups do not suffice: v_u is {used:.3g} phi 0.498 (f'c)^(1/2) (22.6.6.3)", used=used)
@@ -116,21 +177,30 @@ def _refused(steel: Reinforcement, needing: Sequence[TwoWay]) -> str:
     )
 
 
-def _rows(
+def _count(
     results: Sequence[CombinationResult], punching: PunchingForce, steel: Reinforcement, d: float, s: float
 ) -> int | None:
     """Return how many perimeters s apart [m] there are until concrete alone resists beyond them, None if too many."""
-    pushing = [result for result in results if punching.pushing(result)[0] > 0]
-    if not pushing:
-        return LEAST_ROWS
     most = PHI_SHEAR * aci318.with_links(materials(steel)[0], d)
     for count in range(LEAST_ROWS, MOST_ROWS + 1):
-        section = section_at(pushing[0], punching, d, count * s + APART * d, square=False)
-        if isinstance(section, str):  # beyond it the slab is cut from edge to edge, or ends
-            return count
-        if all(demand_on(result, section, punching, steel).v_u <= most for result in pushing):
+        v_u = _beyond(results, punching, steel, d, count * s + APART * d)
+        if v_u is None or v_u <= most:
             return count
     return None
+
+
+def _beyond(
+    results: Sequence[CombinationResult], punching: PunchingForce, steel: Reinforcement, d: float, distance: float
+) -> float | None:
+    """Return the largest v_u [Pa] on the section at a distance [m], None where nothing pushes or none is left.
+
+    Beyond the last one the slab is cut from edge to edge, or ends.
+    """
+    pushing = [result for result in results if punching.pushing(result)[0] > 0]
+    section = section_at(pushing[0], punching, d, distance, square=False) if pushing else ""
+    if isinstance(section, str):
+        return None
+    return max(demand_on(result, section, punching, steel).v_u for result in pushing)
 
 
 def _options(rows: list[LinkRow], d: float) -> Callable[[float], Iterator[tuple[LinkRow, ...]]]:

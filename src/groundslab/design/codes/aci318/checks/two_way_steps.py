@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from groundslab.design.codes.aci318 import punching as aci318
+from groundslab.design.codes.aci318.checks.laid_links import LaidLinks, laid_links
 from groundslab.design.codes.aci318.checks.two_way_demand import TwoWay, strength, used
 from groundslab.design.codes.aci318.checks.wall_ends import WALL_STRESS
 from groundslab.design.codes.aci318.materials import PHI_SHEAR, Concrete, Steel
@@ -51,8 +52,27 @@ def steps(demand: TwoWay, steel: Reinforcement, support: Support) -> Iterator[St
     yield Step("strength reduction factor", "phi", PHI_SHEAR, clause="Table 21.2.1")
     share = used(demand, steel)
     yield Step("share used", "eta", share, "", "v_u / (phi * v_c)", "8.5.1.1")
-    if share > 1:
+    links = laid_links(demand, steel)
+    if links is not None:
+        yield from _as_laid(demand, links, bars)
+    elif share > 1:
         yield from _stirrups(demand, concrete, bars)
+
+
+def _as_laid(demand: TwoWay, links: LaidLinks, bars: Steel) -> Iterator[Step]:
+    """Yield what the links or studs that are given carry."""
+    F, studs = aci318.FORMULAS, links.given.kind == "studs"
+    formula = F["v_cs (s)" if studs else "v_cs"]
+    yield Step("stress of the concrete beside them", "v_cs", links.v_c / MEGA, "MPa", formula, "22.6.6.1")
+    yield Step("links given on each perimeter, the least", "A_v", links.A_v * 1e4, "cm2", clause="22.6.7.2, 22.6.8.2")
+    yield Step("distance of perimeters, the largest", "s", links.s, "m", clause="22.6.7.2, 22.6.8.2")
+    yield Step("strength of links that counts", "f_yt", bars.f_yt / MEGA, "MPa", clause="20.2.2.4")
+    yield Step("stress that links carry", "v_s", links.v_s / MEGA, "MPa", F["v_s"], "22.6.7.2, 22.6.8.2")
+    formula = F["v_max (s)" if studs else "v_max"]
+    yield Step("largest stress with links", "v_max", links.most / MEGA, "MPa", formula, "22.6.6.3")
+    yield Step("nominal strength with links", "v_n", links.v_n / MEGA, "MPa", F["v_n"], "22.6.1.3")
+    used = demand.v_u / PHI_SHEAR / links.v_n
+    yield Step("share used with the links given", "eta_s", used, "", "v_u / (phi * v_n)", "8.5.1.1")
 
 
 def _stirrups(demand: TwoWay, concrete: Concrete, bars: Steel) -> Iterator[Step]:

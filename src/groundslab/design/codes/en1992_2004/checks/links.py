@@ -19,8 +19,11 @@ from functools import partial
 from itertools import chain
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from groundslab.arrays import Array
 from groundslab.design.codes.en1992_2004 import punching as en1992
+from groundslab.design.codes.en1992_2004.checks.laid_links import CROSSED, LEAST_ROWS, links_that_count
 from groundslab.design.codes.en1992_2004.checks.punching import limited_with_links
 from groundslab.design.codes.en1992_2004.checks.punching_demand import (
     FARTHEST,
@@ -54,12 +57,14 @@ from groundslab.design.rules.punching import Demands, forces_that_punch
 from groundslab.design.rules.punching_links.demand import (
     Arrangement,
     LinkDemand,
+    LinkLimit,
     LinkRow,
     Support,
     rounded_down,
     rounded_up,
 )
 from groundslab.messages import Message
+from groundslab.model.design.punching_links import PunchingLinks
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.results import CombinationResult, Results
 
@@ -72,10 +77,6 @@ FIRST = 0.3
 CLOSER = 0.5
 #: Legs along a perimeter within REACH and beyond are no farther apart than this over the effective depth (9.4.3(1)).
 ALONG, ALONG_BEYOND = 1.5, 2.0
-#: 6.52 counts on the perimeters within this over the effective depth: there are as many.
-CROSSED = 1.5
-#: Perimeters of links, at least (9.4.3(1)).
-LEAST_ROWS = 2
 #: A slab with links is at least so thick [m] (9.3.2(1)).
 LEAST_THICKNESS = 0.2
 CLAUSES = "EN 1992-1-1 6.4.5, 9.4.3"
@@ -110,6 +111,8 @@ def _of_forces(
     for punching in forces:
         of_force = [demand for demand in punched.found.values() if demand.name == punching.name]
         required = _required(steel, of_force)
+        if required is None and of_force and steel.links_at(punching.name) is not None:
+            required = _Required(of_force[0].combination, (), 0.0)
         if required is None:
             continue
         # by the axes of the bars at either face where it pushes in some combinations and pulls in others
@@ -120,7 +123,7 @@ def _of_forces(
         if not arrangement:
             plate = plate_under(first, *punching.place)
             around = surroundings(plate, punching.footprint, REACH * d, openings(d))
-            arrangement = Arrangement(thickness, _options(steel, required, d), partial(_legs, around), around.plan)
+            arrangement = _arrangement(steel, required, d, thickness, partial(_legs, around), around.plan)
         yield LinkDemand(support, punching.name, punching.place, required.combination, CLAUSES, arrangement)
 
 
@@ -130,6 +133,8 @@ def _of_walls(combined: Results, steel: Reinforcement, punched: Demands[Demand])
     for name, (site, results) in {at_end.site.end.name: (at_end.site, at_end.results) for at_end in punching}.items():
         of_end = [demand for demand in punched.found.values() if demand.name == name]
         required = _required(steel, of_end)
+        if required is None and of_end and steel.links_at(name) is not None:
+            required = _Required(of_end[0].combination, (), 0.0)
         if required is None:
             continue
         footprint = footprint_of(site.column)
@@ -140,8 +145,25 @@ def _of_walls(combined: Results, steel: Reinforcement, punched: Demands[Demand])
             far = FAR * (required.last + 2 * REACH * site.d + math.sqrt(around.area))
             shadow = shadow_of(plan, around, site.area.center, openings(site.d), far)
             lines = partial(_wall_legs, site.area, shadow)
-            arrangement = Arrangement(thickness, _options(steel, required, site.d), lines, plan)
+            arrangement = _arrangement(steel, required, site.d, thickness, lines, plan)
         yield LinkDemand("wall end", name, site.end.place, required.combination, CLAUSES, arrangement)
+
+
+def _arrangement(
+    steel: Reinforcement,
+    required: _Required,
+    d: float,
+    thickness: float,
+    lines: Callable[[float], Array],
+    plan: BaseGeometry,
+) -> Arrangement:
+    """Return how links may be arranged where the effective depth is d [m]."""
+
+    def rows(given: PunchingLinks) -> tuple[LinkRow, ...]:
+        return _rows(steel, required, d, given.distances, given.diameter)
+
+    limits = partial(_limits, steel, required, d)
+    return Arrangement(thickness, _options(steel, required, d), lines, plan, rows, limits)
 
 
 def _legs(around: Surroundings, distance: float) -> Array:
@@ -195,7 +217,7 @@ def _refused(steel: Reinforcement, found: list[Demand], thickness: float, *, at_
             return Message(
                 "links do not help: v_Ed is {v_Ed:.3g} v_Rd,max at the face (6.4.5(3))", v_Ed=face.v_Ed / most
             )
-        for _, stress, limit in limited_with_links(demand, concrete.annex, at_face=at_face):
+        for _, stress, limit, _ in limited_with_links(demand, concrete.annex, at_face=at_face):
             if stress.v_Ed > limit and not stress.supported:
                 k_max = concrete.annex.k_max
                 return Message("links do not suffice: v_Ed is more than {k_max:g} v_Rd,c (6.4.5(1))", k_max=k_max)
@@ -209,9 +231,8 @@ def _too_far(required: _Required, d: float) -> str:
 
 def _options(steel: Reinforcement, required: _Required, d: float) -> Callable[[float], Iterator[tuple[LinkRow, ...]]]:
     """Return the perimeters that a diameter may have, for each radial distance."""
-    concrete, bars = materials(steel)
-    annex = concrete.annex
-    first, most_apart, further = annex.link_rows
+    annex = materials(steel)[0].annex
+    first, most_apart, _ = annex.link_rows
     start = max(rounded_down(first * d), rounded_up(FIRST * d))
 
     def options(diameter: float) -> Iterator[tuple[LinkRow, ...]]:
@@ -221,15 +242,42 @@ def _options(steel: Reinforcement, required: _Required, d: float) -> Callable[[f
             s_r = rounded_down(share * d)
             counted = LEAST_ROWS if annex.links_alone else max(LEAST_ROWS, round(CROSSED / share))
             count = max(counted, 1 + math.ceil((required.last - start) / s_r - 1e-9))
-            widest = en1992.widest_legs(math.pi * diameter**2 / 4, s_r, concrete, bars)
-            rows = []
-            alone = max(area for area, _ in required.needs)
-            shared = max(area / en1992.links_that_count(a, start, s_r, d) for area, a in required.needs)
-            for number in range(count):
-                distance = start + number * s_r
-                along = (ALONG if distance <= REACH * d else ALONG_BEYOND) * d
-                area = alone * (0.5 if number < LEAST_ROWS else further) if annex.links_alone else shared
-                rows.append(LinkRow(distance, area, min(along, widest)))
-            yield tuple(rows)
+            yield _rows(steel, required, d, [start + number * s_r for number in range(count)], diameter)
 
     return options
+
+
+def _rows(
+    steel: Reinforcement, required: _Required, d: float, distances: Sequence[float], diameter: float
+) -> tuple[LinkRow, ...]:
+    """Return what perimeters at distances from the face with legs of a diameter [m] need, the inner one first."""
+    concrete, bars = materials(steel)
+    annex = concrete.annex
+    s_r = max(np.diff(distances), default=annex.link_rows[1] * d)
+    widest = en1992.widest_legs(math.pi * diameter**2 / 4, s_r, concrete, bars)
+    alone = max((area for area, _ in required.needs), default=0.0)
+    shared = max((area / links_that_count(distances, a, s_r, d) for area, a in required.needs), default=0.0)
+    rows = []
+    for number, distance in enumerate(distances):
+        along = (ALONG if distance <= REACH * d else ALONG_BEYOND) * d
+        area = alone * (0.5 if number < LEAST_ROWS else annex.link_rows[2]) if annex.links_alone else shared
+        rows.append(LinkRow(distance, area, min(along, widest)))
+    return tuple(rows)
+
+
+def _limits(steel: Reinforcement, required: _Required, d: float, given: PunchingLinks) -> Iterator[LinkLimit]:
+    """Yield what 9.4.3 and 6.4.5(4) ask of links that are given."""
+    annex = materials(steel)[0].annex
+    first, most_apart, _ = annex.link_rows
+    from_face = "distance of the inner perimeter from the face"
+    farthest = max(first * d, rounded_up(FIRST * d))
+    yield LinkLimit(from_face, given.distances[0] * 1e3, farthest * 1e3, "mm", "9.4.3(4)")
+    yield LinkLimit(from_face, given.distances[0] * 1e3, FIRST * d * 1e3, "mm", "Figure 9.10", least=True)
+    if given.apart is not None:
+        yield LinkLimit("distance of perimeters", given.apart * 1e3, most_apart * d * 1e3, "mm", "9.4.3(1)")
+    yield LinkLimit("number of perimeters", len(given.distances), LEAST_ROWS, "", "9.4.3(1)", least=True)
+    if required.last > 0:
+        reach = "distance of the outer perimeter from the face"
+        yield LinkLimit(reach, given.distances[-1] * 1e3, required.last * 1e3, "mm", "6.4.5(4)", least=True)
+    if math.isfinite(annex.thickest_link):
+        yield LinkLimit("diameter of links", given.diameter * 1e3, annex.thickest_link * d * 1e3, "mm", "annex")

@@ -9,6 +9,7 @@ from typing import Any, NamedTuple
 
 from groundslab.design.codes.en1992_2004 import punching as en1992
 from groundslab.design.codes.en1992_2004.annex import Annex
+from groundslab.design.codes.en1992_2004.checks.laid_links import laid_links
 from groundslab.design.codes.en1992_2004.checks.punching_demand import (
     LAST_LINKS,
     TOO_FAR,
@@ -44,6 +45,7 @@ class Judged(NamedTuple):
     demand: Demand
     stress: Stress
     resistance: float  # [Pa]
+    linked: bool = False  # whether with the links that are given
 
     @property
     def name(self) -> str:
@@ -71,13 +73,39 @@ def aspects(support: Support, demands: Demands[Demand], steel: Reinforcement) ->
             if demand.face is not None
         ]
         yield Aspect(AT_FACES[support], at_face, _share, partial(_at_face, support), says_missing=False)
-    around = [Judged(demand, stress, demand.resistance(stress)) for demand in of_support for stress in demand.around]
+    around = [judged for demand in of_support for judged in all_judged(demand, steel)]
     yield Aspect(WITHIN_2D[support], around, _share, partial(_within_2d, steel, support))
 
 
-def used(demand: Demand, _: Reinforcement) -> float:
-    """Return v_Ed / v_Rd where it is largest."""
-    return demand.used(demand.governing) if demand.governing is not None else 0.0
+def _as_laid(demand: Demand, stress: Stress, steel: Reinforcement) -> Judged:
+    """Return a demand on a perimeter with what resists it there: links count where they bear more than concrete."""
+    links, without = laid_links(demand, stress, steel), demand.resistance(stress)
+    if links is None or links.resistance <= without:
+        return Judged(demand, stress, without)
+    return Judged(demand, stress, links.resistance, linked=True)
+
+
+def all_judged(demand: Demand, steel: Reinforcement) -> list[Judged]:
+    """Return a demand on each perimeter that is judged, with what resists it there.
+
+    Where links carry all of the force they are judged on the perimeter that governs without them.
+    """
+    judged = [_as_laid(demand, stress, steel) for stress in demand.around]
+    alone = materials(steel, demand.limit_state)[0].annex.links_alone
+    if alone and any(each.linked for each in judged):
+        return [each for each in judged if each.stress is demand.governing]
+    return judged
+
+
+def governing(demand: Demand, steel: Reinforcement) -> Judged | None:
+    """Return a demand where it uses most of what resists; None where there is no perimeter."""
+    return max(all_judged(demand, steel), key=_share, default=None)
+
+
+def used(demand: Demand, steel: Reinforcement) -> float:
+    """Return v_Ed / v_Rd where it is largest, with the links that are given."""
+    worst = governing(demand, steel)
+    return worst.share if worst is not None else 0.0
 
 
 def _at_face(support: Support, stresses: list[Judged]) -> DesignCheck:
@@ -101,7 +129,7 @@ def _within_2d(steel: Reinforcement, support: Support, there: list[Judged]) -> D
     most = [stressed for stressed in limited if id(stressed.stress) in counted]
     which = "the bars provided" if steel.laid else "the largest ratio that counts"
     limit = Message("{k_max:g} v_Rd,c with {which}", k_max=annex.k_max, which=which)
-    without = _punching(name, support, Message("v_Rd with {which}", which=which), there, "attention", "6.4.4(2)")
+    without = _punching(name, support, Message("v_Rd with {which}", which=which), there, "fails", "6.4.4(2)")
     needing = [stressed for stressed in there if stressed.share > 1]
     if most:
         with_links = _punching(name, support, limit, most, "fails", "6.4.5(1)")
@@ -123,6 +151,8 @@ def _within_2d(steel: Reinforcement, support: Support, there: list[Judged]) -> D
     if not needing:
         return without if steel.laid else _without_bars(steel, without, there)
     worst = max(needing, key=_share)
+    if worst.linked:
+        return replace(without, words=without.words + "; more or thicker legs are needed")
     if outer(worst.demand).is_too_far(worst.demand.d):
         return replace(
             without,
@@ -154,7 +184,7 @@ def _without_bars(steel: Reinforcement, check: DesignCheck, there: list[Judged])
     """Return a check that holds with the most bars as one that needs attention, if it asks for any: none are laid."""
     ratios = [
         (en1992.required_ratio(materials(steel, demand.limit_state)[0], demand.d, stress.v_Ed * share), demand)
-        for demand, stress, _ in there
+        for demand, stress, *_ in there
         for share in [demand.v_Rd_c / demand.resistance(stress)]
     ]
     ratio, demand = max(ratios, key=lambda one: one[0], default=(0.0, None))
@@ -185,7 +215,7 @@ def _more(needing: set[str], support: Support) -> str:
 
 def _links(steel: Reinforcement, worst: Judged) -> str:
     """Return the links that a perimeter needs, in words."""
-    demand, stress, resistance = worst
+    demand, stress, resistance, _ = worst
     concrete, bars = materials(steel, demand.limit_state)
     if concrete.annex.links_alone:
         A_sw = en1992.links_alone(stress.v_Ed * stress.u * demand.d, demand.d, bars.f_yd)
@@ -232,7 +262,10 @@ def _punching(
 ) -> DesignCheck:
     """Return whether any stress exceeds its limit, with the worst."""
     beyond = [stressed for stressed in stresses if stressed.share > 1]
-    demand, stress, most = worst = max(stresses, key=_share)
+    worst = max(stresses, key=_share)
+    demand, stress, most, linked = worst
+    if linked:
+        limit, clause = "v_Rd,cs with the links given", "6.4.5(1), 6.52"
     beside = [stressed for stressed in stresses if stressed.demand.combination == demand.combination]
     error = error_of_ratio((stressed.stress.v_Ed, stressed.resistance, stressed.stress.error) for stressed in beside)
     numbers: dict[str, Any] = {

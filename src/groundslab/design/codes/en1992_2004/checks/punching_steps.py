@@ -10,7 +10,8 @@ from collections.abc import Iterator
 
 from groundslab.design.codes.en1992_2004 import punching as en1992
 from groundslab.design.codes.en1992_2004.annex import Annex
-from groundslab.design.codes.en1992_2004.checks.punching import LEAST_PERIMETERS, limited_with_links
+from groundslab.design.codes.en1992_2004.checks.laid_links import LaidLinks, laid_links
+from groundslab.design.codes.en1992_2004.checks.punching import LEAST_PERIMETERS, governing, limited_with_links
 from groundslab.design.codes.en1992_2004.checks.punching_demand import (
     LAST_LINKS,
     LEAST_GROWTH,
@@ -34,8 +35,9 @@ LEAST_BETA = "6.4.3(3), NA.6.39.1, 6.4.4(2), NA.6.51.1"
 
 def steps(demand: Demand, steel: Reinforcement, support: Support) -> Iterator[Step]:
     """Yield the steps of a demand on the perimeter that uses most."""
-    stress = demand.governing
-    assert stress is not None
+    worst = governing(demand, steel)
+    assert worst is not None
+    stress = worst.stress
     concrete, bars = materials(steel, demand.limit_state)
     if support == "wall end":
         yield Step("shear force of the slab across the perimeter", "V_Ed", stress.V_Ed / MEGA, "MN", clause="6.4.4(2)")
@@ -61,7 +63,12 @@ def steps(demand: Demand, steel: Reinforcement, support: Support) -> Iterator[St
     yield Step("stress", "v_Ed", stress.v_Ed / MEGA, "MPa", formula, "6.4.3(3), 6.38")
     yield from _resistance(demand, stress, concrete)
     yield Step("share used", "eta", demand.used(stress), "", "v_Ed / v_Rd", "6.4.4(2)")
-    if stress.v_Ed > demand.resistance(stress):
+    links = laid_links(demand, stress, steel)
+    if stress.v_Ed > demand.resistance(stress) or links is not None:
+        yield from _most(demand, stress, concrete)
+    if links is not None:
+        yield from _as_laid(demand, stress, steel, links)
+    elif stress.v_Ed > demand.resistance(stress):
         yield from _with_links(demand, stress, concrete, bars)
     if demand.face is not None and concrete.annex.face:
         yield from _face(demand.face, concrete, demand.d)
@@ -112,19 +119,45 @@ def _resistance(demand: Demand, stress: Stress, concrete: Concrete) -> Iterator[
     yield Step("resistance at a", "v_Rd", resistance, "MPa", en1992.FORMULAS["v_Rd"], "6.4.4(2), 6.50")
 
 
-def _with_links(demand: Demand, stress: Stress, concrete: Concrete, bars: Steel) -> Iterator[Step]:
-    """Yield the most that links can carry, the links on each perimeter, and how far out they are, if they help."""
+def _most(demand: Demand, stress: Stress, concrete: Concrete) -> Iterator[Step]:
+    """Yield the most that links can carry."""
     most = concrete.annex.k_max
     v_m = most * demand.resistance(stress) / MEGA
     yield Step("largest resistance with links", "v_Rd,m", v_m, "MPa", f"{most:g} * v_Rd", "6.4.5(1)")
     yield Step("share of it that is used", "eta_m", stress.v_Ed / MEGA / v_m, "", "v_Ed / v_Rd,m", "6.4.5(1)")
-    limited = limited_with_links(demand, concrete.annex, at_face=demand.face is not None)
-    if outer(demand).is_too_far(demand.d) or any(stressed.share > 1 for stressed in limited):
-        return
+
+
+def _strength_of_links(demand: Demand, bars: Steel) -> Iterator[Step]:
+    """Yield the strength of links that counts."""
     f = en1992.effective_strength(demand.d, bars.f_yd)
     yield Step("strength of links", "f_ywd", bars.f_yd / MEGA, "MPa", clause="3.2.7(2)")
     formula = en1992.FORMULAS["f_ywd,ef"]
     yield Step("strength of links that counts", "f_ywd,ef", f / MEGA, "MPa", formula, "6.4.5(1)")
+
+
+def _as_laid(demand: Demand, stress: Stress, steel: Reinforcement, links: LaidLinks) -> Iterator[Step]:
+    """Yield what the links that are given carry."""
+    given = steel.links_at(demand.name)
+    assert given is not None
+    yield from _strength_of_links(demand, materials(steel, demand.limit_state)[1])
+    if links.alone:
+        words = "links given: of both inner perimeters, or of a further one over its share if that is less"
+        yield Step(words, "A_sw", links.A_sw * 1e4, "cm2", clause="6.4.5(1) of the annex")
+    else:
+        yield Step("links given on each perimeter, the least", "A_sw", links.A_sw * 1e4, "cm2", clause="6.4.5(1)")
+        words = "perimeters of links that count, at most 1.5 d / s_r and not beyond a"
+        yield Step(words, "n_s", links.rows, clause="6.4.5(1)")
+    formula = en1992.FORMULAS["v_Rd,cs alone" if links.alone else "v_Rd,cs"]
+    yield Step("resistance with the links given", "v_Rd,cs", links.resistance / MEGA, "MPa", formula, "6.4.5(1), 6.52")
+    yield Step("share of it that is used", "eta_s", stress.v_Ed / links.resistance, "", "v_Ed / v_Rd,cs", "6.4.5(1)")
+
+
+def _with_links(demand: Demand, stress: Stress, concrete: Concrete, bars: Steel) -> Iterator[Step]:
+    """Yield the links that each perimeter needs, and how far out they are, if they help."""
+    limited = limited_with_links(demand, concrete.annex, at_face=demand.face is not None)
+    if outer(demand).is_too_far(demand.d) or any(stressed.share > 1 for stressed in limited):
+        return
+    yield from _strength_of_links(demand, bars)
     apart = concrete.annex.link_rows[1]
     s_r = apart * demand.d
     yield Step("radial distance of their perimeters", "s_r", s_r, "m", f"{apart:g} * d", "9.4.3(1)")

@@ -20,8 +20,21 @@ from groundslab.results.results import Results
 
 #: A slab with links is at least so thick [m] (12.4.2(2)).
 LEAST_WITH_LINKS = 0.2
+#: A single perimeter of links counts over this share of the effective depth.
+APART = 0.75
 #: Why no links are laid out.
 NO_LAYOUT = "not laid out: the rules of EN 1992-1-1:2023 12.5.1 for perimeters and legs are not known here"
+
+
+class LaidLinks(NamedTuple):
+    """The links that are given around a perimeter."""
+
+    A_sw: float  # of each perimeter, the least one [m2]
+    s_r: float  # from one perimeter to the next [m]
+    rho_w: float  # links per area of the plan
+    eta: tuple[float, float]  # eta_c, eta_s
+    tau_cs: float  # tau_Rd,cs [Pa]
+    tau_max: float  # tau_Rd,max [Pa]
 
 
 class LinksNeeded(NamedTuple):
@@ -59,7 +72,34 @@ def outermost_depth(demand: Punching, steel: Reinforcement) -> float:
 def aspects(support: Support, demands: Demands[Punching], steel: Reinforcement) -> Iterator[Aspect]:
     """Yield what is judged: the critical section at d_v / 2."""
     worst = partial(_worst, steel=steel, name=PUNCHING[support])
-    yield Aspect(PUNCHING[support], demands.found.values(), used, worst)
+    yield Aspect(PUNCHING[support], demands.found.values(), partial(as_laid, steel=steel), worst)
+
+
+def laid_links(demand: Punching, steel: Reinforcement) -> LaidLinks | None:
+    """Return what the links that are given do at the perimeter; None where none are.
+
+    Their area over that of the plan is that of the perimeter with the fewest legs, over its distance from the next one
+    and the control perimeter's length.
+    """
+    given = steel.links_at(demand.name)
+    if given is None:
+        return None
+    concrete, bars = materials(steel, demand.limit_state)
+    s_r = given.apart or APART * demand.d
+    rho_w = min(given.areas) / (s_r * demand.b_05)
+    eta_c = en1992.concrete_share(demand.tau_Rd_c, max(demand.tau_links, demand.tau_Rd_c))
+    eta = eta_c, en1992.links_share(concrete.d_dg, demand.d, given.diameter, eta_c, demand.k_pb)
+    tau_max = en1992.system_factor(concrete, demand.b_0, demand.d) * demand.tau_Rd_c
+    tau_cs = en1992.resistance_with_links(demand.tau_Rd_c, eta, rho_w, bars.f_yd)
+    return LaidLinks(min(given.areas), s_r, rho_w, eta, tau_cs, tau_max)
+
+
+def as_laid(demand: Punching, steel: Reinforcement) -> float:
+    """Return tau_Ed over what resists it, with the links that are given; over what needs none without them."""
+    links = laid_links(demand, steel)
+    if links is None or demand.used <= 1:
+        return demand.used
+    return demand.tau_links / min(links.tau_cs, links.tau_max)
 
 
 def used(demand: Punching, _: Reinforcement | None = None) -> float:
@@ -80,8 +120,11 @@ def links(_: Results, __: Reinforcement, support: Support, demands: Demands[Punc
 
 def _worst(judged: list[Punching], steel: Reinforcement, name: str) -> DesignCheck:
     """Return the check of the one that links cannot help most, else of the one that uses most without links."""
-    failing = [demand for demand in judged if demand.used > 1 and _beyond_links(demand, steel) > 1]
-    demand = max(failing or judged, key=lambda each: each.used)
+    share = partial(as_laid, steel=steel)
+    failing = [demand for demand in judged if share(demand) > 1 and _beyond_links(demand, steel) > 1]
+    demand = max(failing or judged, key=share)
+    if share(demand) != demand.used:
+        return _with_laid(demand, steel, name)
     beside = [each for each in judged if each.combination == demand.combination]
     error = error_of_ratio((each.tau_Ed, each.resistance, each.error) for each in beside)
     which = (
@@ -127,6 +170,29 @@ def _worst(judged: list[Punching], steel: Reinforcement, name: str) -> DesignChe
     )  # fmt: skip
 
 
+def _with_laid(demand: Punching, steel: Reinforcement, name: str) -> DesignCheck:
+    """Return the check of a demand that needs links and has some; how they are laid is not known here."""
+    links = laid_links(demand, steel)
+    assert links is not None
+    resistance = min(links.tau_cs, links.tau_max)
+    holds = demand.tau_links <= resistance
+    words = Message(
+        '{name} in "{combination}": tau_Ed {tau_Ed:.3g MPa} {sign} {resistance:.3g MPa} = {which} with the links '
+        "given; their distances (12.5.1) are not checked",
+        name=Name(demand.name),
+        combination=Name(demand.combination),
+        tau_Ed=demand.tau_links / 1e6,
+        sign="<=" if holds else ">",
+        resistance=resistance / 1e6,
+        which="tau_Rd,cs" if links.tau_cs < links.tau_max else "tau_Rd,max",
+    )
+    return DesignCheck(
+        name, "attention" if holds else "fails", words, of=demand.name, demand=demand.tau_links / 1e6,
+        resistance=resistance / 1e6, unit="MPa", clause="EN 1992-1-1:2023 8.4.4", combination=demand.combination,
+        place=demand.place, error=scaled(demand.error(), 1e-6),
+    )  # fmt: skip
+
+
 def _with(demand: Punching) -> str:
     """Return in words how moments count."""
     return "by moments" if demand.beta_e is None else Message("with beta_e {beta_e:.2f}", beta_e=demand.beta_e)
@@ -154,7 +220,7 @@ def _with_links(demand: Punching, steel: Reinforcement) -> tuple[Status, str]:
     )
     if beyond > 1:
         return "fails", Message("; links do not suffice: {most} (8.4.4(5))", most=most)
-    return "attention", (
+    return "fails", (
         Message(
             "; links of {rho_w:.3g cm2/m2} around it are needed, of {phi_w:.3g mm} or thinner (8.104), "
             "{most}, out to b_0.5,out {b_out:.2f m} (8.112); their spacing (12.5.1) is not checked",

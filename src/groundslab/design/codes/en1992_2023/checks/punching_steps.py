@@ -10,7 +10,7 @@ from math import isfinite
 
 from groundslab.design.codes.en1992_2023 import punching as en1992
 from groundslab.design.codes.en1992_2023.checks.critical_sections import CriticalSection
-from groundslab.design.codes.en1992_2023.checks.punching import links_needed, outermost_depth
+from groundslab.design.codes.en1992_2023.checks.punching import LaidLinks, laid_links, links_needed, outermost_depth
 from groundslab.design.codes.en1992_2023.checks.punching_demand import Punching
 from groundslab.design.codes.en1992_2023.materials_of_case import materials
 from groundslab.design.codes.en1992_2023.shear import in_shear
@@ -49,8 +49,35 @@ def steps(demand: Punching, steel: Reinforcement, support: Support) -> Iterator[
     yield Step("resistance", "tau_Rd,c", demand.tau_Rd_c / MEGA, "MPa", F["tau_Rd,c"], "8.4.3(1), 8.94")
     formula = "tau_Ed / max(tau_Rd,c, tau_min)"
     yield Step("share used", "eta", demand.used, "", formula, "8.4.1(2), 8.87, 8.88")
-    if demand.used > 1:
+    links = laid_links(demand, steel)
+    if demand.used > 1 and links is not None:
+        yield from _as_laid(demand, steel, links)
+    elif demand.used > 1:
         yield from _links(demand, steel)
+
+
+def _as_laid(demand: Punching, steel: Reinforcement, links: LaidLinks) -> Iterator[Step]:
+    """Yield what the links that are given carry."""
+    given = steel.links_at(demand.name)
+    assert given is not None
+    concrete, bars = materials(steel, demand.limit_state)
+    words = "stress with links, the pressure up to the perimeter relieving"
+    yield Step(words, "tau_Ed", demand.tau_links / MEGA, "MPa", clause="8.4.2(6)")
+    yield Step("share of the concrete", "eta_c", links.eta[0], "", "min(1, tau_Rd,c / tau_Ed)", "8.4.4(1), 8.105")
+    yield Step("diameter of the links given", "phi_w", given.diameter * 1e3, "mm")
+    yield Step("share of links", "eta_s", links.eta[1], "", F["eta_s"], "8.4.4(1), 8.106")
+    yield Step("strength of links", "f_ywd", bars.f_yd / MEGA, "MPa", clause="5.2.4")
+    yield Step("links given on each perimeter, the least", "A_sw", links.A_sw * 1e4, "cm2", clause="8.4.4(1)")
+    yield Step("distance of perimeters, the largest", "s_r", links.s_r, "m", clause="8.4.4(1)")
+    yield Step("links per area of the plan", "rho_w", links.rho_w, "", "A_sw / 10000 / (s_r * b_05)", "8.4.4(1)")
+    yield Step("resistance with the links given", "tau_cs", links.tau_cs / MEGA, "MPa", F["tau_cs"], "8.4.4(1), 8.104")
+    a, b = concrete.annex.eta_sys
+    eta_sys = en1992.system_factor(concrete, demand.b_0, demand.d)
+    formula = f"max(1, {a:g} + {b:g} * (b_0 / d_v)^(1/4))"
+    yield Step("factor of links", "eta_sys", eta_sys, "", formula, "8.4.4(5), 8.111")
+    yield Step("most with links", "tau_max", links.tau_max / MEGA, "MPa", F["tau_max"], "8.4.4(5), 8.109")
+    used = demand.tau_links / min(links.tau_cs, links.tau_max)
+    yield Step("share used with the links given", "eta_l", used, "", "tau_Ed / min(tau_cs, tau_max)", "8.4.4")
 
 
 def _beta(demand: Punching, section: CriticalSection, one: Support) -> Iterator[Step]:
