@@ -13,7 +13,13 @@ from groundslab.model.axes.families import check_axes
 from groundslab.model.cracking import Cracking, check_cracking
 from groundslab.model.design.floors import check_floor
 from groundslab.model.design.limits import SoilStrength
-from groundslab.model.design.reinforcement import check_bar_distances, check_bar_zones, check_links, check_strips
+from groundslab.model.design.reinforcement import (
+    check_bar_distances,
+    check_bar_zones,
+    check_beta,
+    check_links,
+    check_strips,
+)
 from groundslab.model.ground import AnyGround, ContinuousGround, Continuum, Layered, SoilLayer, Winkler, carry_shear
 from groundslab.model.loads.beside import check_ground_loads
 from groundslab.model.loads.clipping import check_distributed_loads
@@ -383,6 +389,7 @@ DESIGN: tuple[Check, ...] = (
     check_bar_zones,
     check_strips,
     check_links,
+    check_beta,
     check_cracking,
     check_design_combinations,
     check_floor,

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 
 from groundslab.arrays import made_once
 from groundslab.design.checks import (
+    anchorage,
     bearings,
     coarse_mesh,
     displacements,
@@ -52,6 +53,7 @@ CHECKS: tuple[Callable[[Results], Iterable[DesignCheck]], ...] = (
     strength.checks,
     shear.checks,
     provided.checks,
+    anchorage.checks,
     fire.checks,
     floors.checks,
     dowel_checks.checks,
@@ -138,7 +140,9 @@ def _check_design(combined: Results) -> Design:
     listed = tuple(sorted((check for check in checks if check.status != "not checked"), key=_order))
     checked = [check for check in listed if check.off is None]
     unchecked = {check.name: check.words for check in checks if check.status == "not checked"}
-    left = joined((unchecked if "strength" in unchecked else {"anchorage": NOT_CHECKED, **unchecked}).values(), "; ")
+    if "strength" not in unchecked and anchorage.NAME not in [check.name for check in checks]:
+        unchecked = {"anchorage": NOT_CHECKED, **unchecked}
+    left = joined(unchecked.values(), "; ")
     failing, doubtful = (sum(check.status == status for check in checked) for status in ("fails", "attention"))
     hanging = sum(check.hangs for check in checked)
     of_them = (

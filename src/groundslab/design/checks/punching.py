@@ -20,6 +20,7 @@ from groundslab.design.rules.punching import (
     with_the_rest,
     with_way,
 )
+from groundslab.design.rules.punching_beta import check_constants
 from groundslab.design.rules.punching_links.demand import Support
 from groundslab.design.rules.punching_links.layout import LinkLayout
 from groundslab.messages import Clause, Message, Name, quantity
@@ -43,6 +44,7 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
         judge = partial(_judged, support, demands, rule, steel)
         names = list(dict.fromkeys([*(name for _, name in demands.found), *demands.missing]))
         yield from judge_apart(names, str, combined.model.checks.off, judge)
+    yield from check_constants(combined, steel)
     layouts = [layout for layout in punching_links(combined) if layout.limits]
     yield from judge_apart(layouts, lambda layout: layout.name, combined.model.checks.off, _links)
 

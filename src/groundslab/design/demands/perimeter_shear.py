@@ -30,13 +30,18 @@ class PerimeterShear:
 
     ds: Array  # (k,): lengths, in order along it [m]
     closed: bool
+    middle: Array  # (k, 2): the pieces' middles [m]
     nodes: Integers  # (n,)
     inward: Array  # (2, k, n): of nodal shear_x and shear_y in the force per length inwards
 
+    def forces(self, plate: PlateResult) -> Array:
+        """Return the force per length inwards of each piece (k,) [N/m]."""
+        q = np.stack([plate.shear_x[self.nodes], plate.shear_y[self.nodes]])
+        return np.asarray(np.einsum("ikn,in->k", self.inward, q))
+
     def largest_mean(self, plate: PlateResult, over: float, sign: float = 1.0) -> float:
         """Return the largest mean of the force per length over a length [m], inwards positive or outwards [N/m]."""
-        q = np.stack([plate.shear_x[self.nodes], plate.shear_y[self.nodes]])
-        v = sign * np.einsum("ikn,in->k", self.inward, q)
+        v = sign * self.forces(plate)
         total = float(self.ds.sum())
         if total <= over:
             return float(v @ self.ds / total)
@@ -75,7 +80,8 @@ def perimeter_shear(
     rows = np.repeat(np.arange(len(ds))[:, None], of_nodes.shape[1], axis=1)
     for axis in (0, 1):
         np.add.at(inward[axis], (rows, which.reshape(of_nodes.shape)), q9(local[on])[0] * across[axis][:, None])
-    return PerimeterShear(ds, bool((chain[0] == chain[-1]).all()) and bool(on.all()), nodes, inward)
+    closed = bool((chain[0] == chain[-1]).all()) and bool(on.all())
+    return PerimeterShear(ds, closed, middle[on], nodes, inward)
 
 
 def _divided(chain: Array, longest: float) -> Array:

@@ -8,6 +8,7 @@ from typing import Annotated, ClassVar, Literal, get_args
 
 from groundslab.model.design.averaging import Averaging, along_axis
 from groundslab.model.design.bars import OTHER_MESH, Bars, BarZone, Layer, MeshName, bars_of_mesh
+from groundslab.model.design.beta import Beta, beta_field
 from groundslab.model.design.detailing import AllowedBars, Detailing
 from groundslab.model.design.punching_links import PunchingLinks
 from groundslab.model.ground import POSITIVE
@@ -57,11 +58,12 @@ SteelChoice = Choice(SteelClass, "class of the steel", "give the yield strength 
 KEYS_OF_CODES: dict[str, tuple[str, ...]] = {
     "EN 1992-1-1": (
         "concrete", "steel", "annex", "gamma_c", "gamma_s", "accidental", "alpha_cc", "w_max", "exposure",
-        "fire", "fire_from", "restraint", "detailing", "proposal",
+        "fire", "fire_from", "restraint", "detailing", "proposal", "beta", "braced",
     ),
     "ACI 318": ("size_effect", "detailing", "proposal"),
     "EN 1992-1-1:2023": (
         "concrete", "steel", "gamma_c", "gamma_s", "accidental", "w_max", "gamma_v", "k_tc", "d_lower",
+        "beta", "braced",
     ),
 }  # fmt: skip
 
@@ -155,6 +157,8 @@ _HINTS = {
     ("EN 1992-1-1:2023", "alpha_cc"): "k_tc is the factor of long-term effects",
     ("EN 1992-1-1:2023", "annex"): "no annex to it is known; gamma_c, gamma_s, gamma_v and k_tc can be given",
     ("EN 1992-1-1:2023", "exposure"): "its limits are not known here; w_max is the largest crack width",
+    ("ACI 318", "beta"): "it has the stress of moments where that is largest (8.4.4.2.3)",
+    ("ACI 318", "braced"): "it has no constants of beta",
     ("ACI 318", "fire"): "ACI 216.1 is not known here",
     ("EN 1992-1-1:2023", "fire"): "EN 1992-1-2:2023 is not known here",
     ("EN 1992-1-1:2023", "detailing"): "its rules for anchorage and laps are not known here",
@@ -326,6 +330,11 @@ class Reinforcement(Section):
         MeshName | None, Choice(MeshName, "welded mesh at the top, instead of top_x and top_y", OTHER_MESH)
     ] = None
     zones: Annotated[tuple[BarZone, ...], Table("parts of the plan with additional bars between these")] = ()
+    beta: Annotated[Beta, beta_field("at columns, piles and thicker zones")] = "code"
+    braced: Annotated[
+        bool,
+        Boolean("whether lateral stability does not depend on frame action of slab and columns, for constants of beta"),
+    ] = False
     links: Annotated[
         tuple[PunchingLinks, ...], Table("links against punching, to be checked; propose-bars writes them")
     ] = ()
@@ -427,6 +436,20 @@ def check_bar_zones(
         if zone.bars.diameter / 2 >= least:
             expected = f"bars thinner than {2 * least!r} m, whose axes lie {least!r} m from the face"
             yield RelativeIssue(("reinforcement", "zones", position), f"bars of {zone.bars.diameter!r} m", expected)
+
+
+def check_beta(reinforcement: Reinforcement | None, columns: tuple[Column, ...]) -> Iterator[RelativeIssue]:
+    """Find constants of beta in a case that is not stated to be braced, and betas of columns that no code has."""
+    if reinforcement is None:
+        return
+    own = [column.beta for column in columns]
+    if "constant" in (reinforcement.beta, *own) and not reinforcement.braced:
+        expected = "braced = true, that lateral stability does not depend on frame action"
+        hint = 'else beta = "code" or "sectors"'
+        yield RelativeIssue(("reinforcement", "braced"), "a constant beta of a case that is not braced", expected, hint)
+    for position, beta in enumerate(own):
+        if beta is not None and reinforcement.code == "ACI 318":
+            yield RelativeIssue(("columns", position, "beta"), "beta with ACI 318", "no beta")
 
 
 def check_links(

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated, ClassVar
 from groundslab.geometry.plan import Place, Ring, circle
 from groundslab.geometry.rectangles import extents_at, rectangle_at
 from groundslab.model.axes.crossings import AtCrossing
+from groundslab.model.design.beta import Beta, beta_field
 from groundslab.model.ground import POSITIVE
 from groundslab.schema.base import Check, Section
 from groundslab.schema.fields import Number, Quantity, Text
@@ -83,6 +84,7 @@ class Column(Section):
         float,
         Number("alpha", "angle of its widths from x and y in degrees, counterclockwise", TURN),
     ] = 0.0
+    beta: Annotated[Beta | None, beta_field("at this column, by default that of the reinforcement")] = None
     at: AtCrossing = ""
 
     def ring(self) -> Ring:

@@ -40,6 +40,7 @@ class Annex:
     face: float
     k_max: float
     least_beta: float
+    constant_beta: tuple[float, float, float]
     rho_strength: float
     links_alone: bool
     link_rows: tuple[float, float, float]

@@ -12,7 +12,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from functools import partial
 from itertools import pairwise
-from typing import Literal
+from typing import Literal, NamedTuple
 
 import numpy as np
 
@@ -30,13 +30,14 @@ from groundslab.design.codes.en1992_2004.perimeters import face_length, openings
 from groundslab.design.demands import line_properties, perimeter_loads
 from groundslab.design.demands.by_plate import plate_under
 from groundslab.design.demands.line_properties import Course
-from groundslab.design.demands.perimeter_loads import LoadsNear, PerimeterLoads, Places, PunchingForce
+from groundslab.design.demands.perimeter_loads import LoadsNear, PerimeterLoads, Places, PunchingForce, PunchingShear
 from groundslab.design.demands.perimeters import Perimeter, SketchedPerimeter, Surroundings, perimeter_at, surroundings
 from groundslab.design.demands.zones.thicker_zones import ZoneForce, zone_forces
 from groundslab.design.demands.zones.thinner_slab import ThinnerPart, counted, thinner_parts
 from groundslab.design.rules.combinations import ultimate_results
 from groundslab.design.rules.demand_errors import error_of
 from groundslab.design.rules.punching import Demands
+from groundslab.design.rules.punching_beta import SECTORS, TRIED, beta_by_sectors, beta_of, sector_pieces
 from groundslab.errors import InputError
 from groundslab.model.design.laid_bars import punching_ratio
 from groundslab.model.design.reinforcement import Reinforcement
@@ -238,6 +239,7 @@ def _control(
         line.opened or legs is not line.legs,
         loads,
         SketchedPerimeter(line, line.legs, around.center),
+        line.legs,
     )
 
 
@@ -373,10 +375,10 @@ def _stress(results: CombinationResult, site: _Site, control: ControlPerimeter) 
     )
     pushing = site.punching.pushing(results)
     alone = shear.V <= 0 or perimeter_loads.only_turns(pushing)
-    raised = _raised(site, control, shear.moments, shear.V, None if alone else pushing[1:])
-    beta = None if alone else raised / shear.V
+    raised = _raised(results, site, control, shear.moments, shear.V, None if alone else pushing[1:])
+    beta = None if alone else raised.force / shear.V
     turned = control.course.frame @ shear.moments
-    v_Ed = raised / (control.u * site.d)
+    v_Ed = raised.force / (control.u * site.d)
     return Stress(
         control.distance,
         control.u,
@@ -390,6 +392,9 @@ def _stress(results: CombinationResult, site: _Site, control: ControlPerimeter) 
         lambda: error_of(results, lambda mesh: _stress(mesh, site, control).v_Ed),
         control,
         (float(turned[0]), float(turned[1])),
+        raised.way,
+        raised.outward,
+        lambda: {} if alone else _other_ways(results, site, control, shear, pushing[1:]),
     )
 
 
@@ -403,8 +408,9 @@ def _face_stress(results: CombinationResult, site: _Site, face: ControlPerimeter
     force, applied = float(pushing[0]), pushing[1:]
     moments = applied + force * (np.array(site.punching.place) - outer.center)
     alone = stress.V_Ed <= 0 or perimeter_loads.only_turns(pushing)
-    beta = None if alone else _raised(site, outer, moments, force, applied) / force
-    raised = stress.V_Ed + _raised(site, outer, moments, 0.0, None) if beta is None else beta * stress.V_Ed
+    by_moments = _raised(results, site, outer, moments, 0.0 if alone else force, None if alone else applied)
+    beta = None if alone else by_moments.force / force
+    raised = stress.V_Ed + by_moments.force if beta is None else beta * stress.V_Ed
     return replace(
         stress,
         beta=beta,
@@ -413,7 +419,70 @@ def _face_stress(results: CombinationResult, site: _Site, face: ControlPerimeter
     )
 
 
-def _raised(site: _Site, control: ControlPerimeter, moments: Array, force: float, applied: Array | None) -> float:
+class _Raised(NamedTuple):
+    """Beta times a force, and how it was found."""
+
+    force: float  # [N]
+    way: str = "code"
+    outward: float | None = None  # a moment of the column that bends it outwards and decides [N m]
+
+
+def _raised(
+    results: CombinationResult,
+    site: _Site,
+    control: ControlPerimeter,
+    moments: Array,
+    force: float,
+    applied: Array | None,
+) -> _Raised:
+    """Return beta times a force [N] as the case asks for it; by moments where nothing pushes, or no sector is known."""
+    asked = beta_of(results.solved_model, site.steel, site.punching) if applied is not None else "code"
+    if asked == "constant":
+        return _Raised(_constant(site, control) * force, asked)
+    if asked == "sectors":
+        beta = _by_sectors(results, site, control)
+        if beta is not None:
+            return _Raised(max(beta, materials(site.steel)[0].annex.least_beta) * force, asked)
+    elif asked != "code":
+        return _Raised(asked * force, "given")
+    return _raised_by_moments(site, control, moments, force, applied)
+
+
+def _constant(site: _Site, control: ControlPerimeter) -> float:
+    """Return the constant beta of a perimeter by how it runs."""
+    inside, edge, corner = materials(site.steel)[0].annex.constant_beta
+    return {"closed": inside, "edge": edge}.get(control.course.shape, corner)
+
+
+def _by_sectors(
+    results: CombinationResult, site: _Site, control: ControlPerimeter, count: int = SECTORS, *, by_length: bool = False
+) -> float | None:
+    """Return beta by the shear forces in sectors of a perimeter, of equal angle or of equal length."""
+    plate, center = plate_under(results, *site.punching.place), np.array(site.punching.place)
+    if not control.sectors:
+        control.sectors.append(sector_pieces(plate, control.legs, center, site.d))
+    sign = -1.0 if site.punching.from_below else 1.0
+    axis = control.course.frame[0]
+    return beta_by_sectors(control.sectors[0], plate, center, axis, sign=sign, count=count, by_length=by_length)
+
+
+def _other_ways(
+    results: CombinationResult, site: _Site, control: ControlPerimeter, shear: PunchingShear, applied: Array
+) -> dict[str, float]:
+    """Return beta by moments, constant, and by numbers of sectors of equal angle and of equal length."""
+    by_moments = _raised_by_moments(site, control, shear.moments, shear.V, applied)
+    ways = {"code": by_moments.force / shear.V, "constant": _constant(site, control)}
+    for count in TRIED:
+        for by_length in (False, True):
+            beta = _by_sectors(results, site, control, count, by_length=by_length)
+            if beta is not None:
+                ways[f"sectors {count}{' by length' * by_length}"] = beta
+    return ways
+
+
+def _raised_by_moments(
+    site: _Site, control: ControlPerimeter, moments: Array, force: float, applied: Array | None
+) -> _Raised:
     """Return beta times a force [N] of moments (2,) [N m] along x and y about a perimeter's center (6.4.3, 6.4.4(2)).
 
     Values for edges and corners (6.4.3(4) and (5), Figure 6.21N) are for perimeters without openings and for moments
@@ -424,12 +493,15 @@ def _raised(site: _Site, control: ControlPerimeter, moments: Array, force: float
     turned, shape = control.course.frame @ moments, control.course.shape
     general = en1992.raised(list(turned), list(control.shares), force, control.u, list(control.moduli))
     if applied is None:
-        return general
+        return _Raised(general)
     if shape == "closed":
-        return max(least, general)
+        return _Raised(max(least, general))
     simple = en1992.CORNER * force
     if shape == "edge":
         along, share, W = float(turned[0]), float(control.shares[0]), float(control.moduli[0])
         simple = en1992.raised_at_an_edge(control.reduced, along, share, force, control.u, W)
-    outwards = (control.course.inward @ applied < -NO_ECCENTRICITY * force).any()
-    return max(least, simple, general) if control.opened or outwards else max(least, simple)
+    outward = -float((control.course.inward @ applied).min(initial=0.0))
+    if not (control.opened or outward > NO_ECCENTRICITY * force):
+        return _Raised(max(least, simple))
+    decides = general > max(least, simple) and not control.opened
+    return _Raised(max(least, simple, general), outward=outward if decides else None)

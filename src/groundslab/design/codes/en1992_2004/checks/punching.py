@@ -21,6 +21,7 @@ from groundslab.design.codes.en1992_2004.materials_of_case import materials
 from groundslab.design.rules.check import DesignCheck, Status
 from groundslab.design.rules.demand_errors import error_of_ratio, scaled
 from groundslab.design.rules.punching import CALLED, Aspect, Demands
+from groundslab.design.rules.punching_beta import WAYS
 from groundslab.design.rules.punching_links.demand import Support
 from groundslab.messages import Clause, Message, Name
 from groundslab.model.design.reinforcement import Reinforcement
@@ -254,7 +255,14 @@ def _at(stress: Stress, d: float) -> str:
 
 def _with(stress: Stress) -> str:
     """Return in words how moments count."""
-    return "by moments" if stress.beta is None else Message("with beta {beta:.2f}", beta=stress.beta)
+    if stress.beta is None:
+        return "by moments"
+    words: str = Message("with beta {beta:.2f}", beta=stress.beta)
+    if stress.way != "code":
+        words += Message(" {way}", way=WAYS[stress.way])
+    if stress.outward is not None:
+        words += Message(" as a moment of {M:.3g kNm} bends the column outwards", M=stress.outward / 1e3)
+    return words
 
 
 def _punching(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
@@ -11,6 +11,7 @@ from groundslab.arrays import Array
 from groundslab.design.codes.en1992_2004.punching import outer_perimeter
 from groundslab.design.demands.line_properties import Course
 from groundslab.design.demands.perimeter_loads import PerimeterLoads
+from groundslab.design.demands.perimeter_shear import PerimeterShear
 from groundslab.design.demands.perimeters import SketchedPerimeter
 from groundslab.messages import Message
 
@@ -45,6 +46,8 @@ class ControlPerimeter:
     opened: bool  # whether openings take off a part of it
     loads: PerimeterLoads
     sketch: SketchedPerimeter = field(repr=False, compare=False)
+    legs: Array = field(repr=False, compare=False)  # (l, 2, 2): what counts of it [m]
+    sectors: list[tuple[PerimeterShear, ...]] = field(default_factory=list, repr=False, compare=False)
 
     @property
     def thinned(self) -> bool:
@@ -68,6 +71,11 @@ class Stress:
     error: Callable[[], float | None] = field(repr=False, compare=False)  # of v_Ed [Pa]
     control: ControlPerimeter | None = None  # of a column or pile
     moments: tuple[float, float] = (0.0, 0.0)  # of forces along the perimeter's frame about its center [N m]
+    way: str = "code"  # how beta is found
+    outward: float | None = None  # a moment of the column that bends it outwards and decides beta by moments [N m]
+    other_betas: Callable[[], Mapping[str, float]] = field(
+        default=dict, repr=False, compare=False
+    )  # beta by other ways
 
 
 @dataclass(frozen=True, slots=True)

@@ -25,6 +25,7 @@ from groundslab.design.codes.en1992_2004.checks.punching_demand import (
 from groundslab.design.codes.en1992_2004.materials import Concrete, Steel
 from groundslab.design.codes.en1992_2004.materials_of_case import materials
 from groundslab.design.rules.calculation import MEGA, SAME, Step, punching_force
+from groundslab.design.rules.punching_beta import beta_in_steps, other_betas_in_steps
 from groundslab.design.rules.punching_links.demand import Support
 from groundslab.messages import Message
 from groundslab.model.design.reinforcement import Reinforcement
@@ -75,6 +76,16 @@ def steps(demand: Demand, steel: Reinforcement, support: Support) -> Iterator[St
 
 
 def _beta(stress: Stress, control: ControlPerimeter, least: float) -> Iterator[Step]:
+    """Yield how beta follows from the moments of all forces inside about the perimeter's center, or else."""
+    if stress.way == "code":
+        yield from _beta_by_moments(stress, control, least)
+    else:
+        yield beta_in_steps(stress.way, stress.beta or 0.0, "beta", "6.4.3(6), Figure 6.21N")
+    if stress.beta is not None:
+        yield from other_betas_in_steps(stress.way, stress.beta, stress.other_betas(), "beta", "6.4.3")
+
+
+def _beta_by_moments(stress: Stress, control: ControlPerimeter, least: float) -> Iterator[Step]:
     """Yield how beta follows from the moments of all forces inside about the perimeter's center."""
     shares, moduli = [*map(float, control.shares)], [*map(float, control.moduli)]
     bounded = "max(beta_min, {})" if least > 1 else "{}"

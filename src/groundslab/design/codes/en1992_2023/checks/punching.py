@@ -13,6 +13,7 @@ from groundslab.design.codes.en1992_2023.materials_of_case import materials
 from groundslab.design.rules.check import DesignCheck, Status
 from groundslab.design.rules.demand_errors import error_of_ratio, scaled
 from groundslab.design.rules.punching import PUNCHING, Aspect, Demands
+from groundslab.design.rules.punching_beta import WAYS
 from groundslab.design.rules.punching_links.demand import LinkDemand, Support
 from groundslab.messages import Message, Name
 from groundslab.model.design.reinforcement import Reinforcement
@@ -195,7 +196,10 @@ def _with_laid(demand: Punching, steel: Reinforcement, name: str) -> DesignCheck
 
 def _with(demand: Punching) -> str:
     """Return in words how moments count."""
-    return "by moments" if demand.beta_e is None else Message("with beta_e {beta_e:.2f}", beta_e=demand.beta_e)
+    if demand.beta_e is None:
+        return "by moments"
+    words = Message("with beta_e {beta_e:.2f}", beta_e=demand.beta_e)
+    return words if demand.way == "code" else words + Message(" {way}", way=WAYS[demand.way])
 
 
 def _beyond_links(demand: Punching, steel: Reinforcement) -> float:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from functools import partial
 
@@ -22,6 +22,14 @@ from groundslab.design.demands.zones.thicker_zones import zone_forces
 from groundslab.design.rules.combinations import ultimate_results
 from groundslab.design.rules.demand_errors import error_of, scaled
 from groundslab.design.rules.punching import Demands
+from groundslab.design.rules.punching_beta import (
+    SECTORS,
+    TRIED,
+    beta_by_sectors,
+    beta_of,
+    sector_pieces,
+    way_of,
+)
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.model.model import Model
 from groundslab.results.results import CombinationResult, Results
@@ -64,6 +72,8 @@ class Punching:
     turned: float = 0.0  # what these moments add to V_Ed [N]
     concentrated: bool = False  # whether a large force acts close by
     pulls: bool = False  # whether a column pulls up, or a pile down
+    way: str = "code"  # how beta_e is found
+    other_betas: Callable[[], Mapping[str, float]] = field(default=dict, repr=False, compare=False)  # by other ways
 
     @property
     def sketch(self) -> SketchedPerimeter | None:
@@ -148,7 +158,7 @@ def _demand(
     punching, others = forces
     concrete, bars = materials(steel, results.limit_state)
     shear = _shear(results, section.relieved, section, punching, steel)
-    beta_e, e_or_M, turned = _beta(results, section, punching, shear)
+    beta_e, e_or_M, turned = _beta(results, section, punching, shear, steel)
     concentrated = _concentrated(results, section, punching, others, shear.V)
     a_p = _contraflexure(results, section, punching)
     tau_min = float(minimum_resistance(concrete, bars, section.d))
@@ -197,6 +207,8 @@ def _demand(
         turned=turned,
         concentrated=concentrated,
         pulls=punching.pulls,
+        way="code" if beta_e is None else way_of(beta_of(results.solved_model, steel, punching)),
+        other_betas=lambda: _other_betas(results, section, punching, steel),
     )
 
 
@@ -214,6 +226,60 @@ def _shear(
 
 
 def _beta(
+    results: CombinationResult,
+    section: CriticalSection,
+    punching: PunchingForce,
+    shear: PunchingShear,
+    steel: Reinforcement,
+) -> tuple[float | None, tuple[float, float], float]:
+    """Return beta_e as the case asks for it, and the rest as by moments."""
+    by_moments = _beta_by_moments(results, section, punching, shear)
+    way = beta_of(results.solved_model, steel, punching)
+    if by_moments[0] is None or way == "code":
+        return by_moments
+    if way == "sectors":
+        beta = _by_sectors(results, section, punching)
+        return (by_moments[0] if beta is None else beta, *by_moments[1:])
+    return (_constant(section, steel) if way == "constant" else way, *by_moments[1:])
+
+
+def _constant(section: CriticalSection, steel: Reinforcement) -> float:
+    """Return the constant beta_e of a section by how it runs."""
+    inside, edge, corner = materials(steel)[0].annex.constant_beta
+    return {"closed": inside, "edge": edge}.get(section.course.shape, corner)
+
+
+def _by_sectors(
+    results: CombinationResult,
+    section: CriticalSection,
+    punching: PunchingForce,
+    count: int = SECTORS,
+    *,
+    by_length: bool = False,
+) -> float | None:
+    """Return beta_e by the shear forces in sectors of a section, of equal angle or of equal length."""
+    plate = plate_under(results, *punching.place)
+    pieces = sector_pieces(plate, section.legs, section.line_center, section.d)
+    sign, axis = -1.0 if punching.from_below else 1.0, section.course.frame[0]
+    return beta_by_sectors(pieces, plate, section.place, axis, sign=sign, count=count, by_length=by_length)
+
+
+def _other_betas(
+    results: CombinationResult, section: CriticalSection, punching: PunchingForce, steel: Reinforcement
+) -> dict[str, float]:
+    """Return beta_e by moments, constant, and by numbers of sectors of equal angle and of equal length."""
+    shear = _shear(results, section.relieved, section, punching, steel)
+    by_moments = _beta_by_moments(results, section, punching, shear)[0]
+    ways = {"constant": _constant(section, steel)} | ({} if by_moments is None else {"code": by_moments})
+    for count in TRIED:
+        for by_length in (False, True):
+            beta = _by_sectors(results, section, punching, count, by_length=by_length)
+            if beta is not None:
+                ways[f"sectors {count}{' by length' * by_length}"] = beta
+    return ways
+
+
+def _beta_by_moments(
     results: CombinationResult, section: CriticalSection, punching: PunchingForce, shear: PunchingShear
 ) -> tuple[float | None, tuple[float, float], float]:
     """Return beta_e, and how far the support's force, by its own moments, acts from the perimeter's center [m].
@@ -244,7 +310,7 @@ def _stress(
 ) -> float:
     """Return tau_Ed [Pa]: beta_e V_Ed / (b_0.5 d_v), and that of the analysis if a large force acts close by."""
     shear = _shear(results, section.relieved, section, punching, steel)
-    beta_e, _, turned = _beta(results, section, punching, shear)
+    beta_e, _, turned = _beta(results, section, punching, shear, steel)
     by_force = (shear.V + turned if beta_e is None else beta_e * shear.V) / (section.b_05 * section.d)
     return max(by_force, _of_analysis(results, section, punching) or 0.0) if concentrated else by_force
 

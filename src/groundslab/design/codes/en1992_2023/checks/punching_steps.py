@@ -15,6 +15,7 @@ from groundslab.design.codes.en1992_2023.checks.punching_demand import Punching
 from groundslab.design.codes.en1992_2023.materials_of_case import materials
 from groundslab.design.codes.en1992_2023.shear import in_shear
 from groundslab.design.rules.calculation import MEGA, Step, punching_force
+from groundslab.design.rules.punching_beta import beta_in_steps, other_betas_in_steps
 from groundslab.design.rules.punching_links.demand import Support
 from groundslab.messages import Message
 from groundslab.model.design.reinforcement import Reinforcement
@@ -34,8 +35,13 @@ def steps(demand: Punching, steel: Reinforcement, support: Support) -> Iterator[
     yield Step("perimeter at d_v / 2 that counts", "b_05", demand.b_05, "m", clause="8.4.2(2) to (5)")
     if demand.section is None:
         yield Step("factor for an end or a corner", "beta_e", demand.beta_e or 0.0, clause="Figure 8.21")
-    else:
+    elif demand.way == "code":
         yield from _beta(demand, demand.section, support)
+    else:
+        yield beta_in_steps(demand.way, demand.beta_e or 0.0, "beta_e", "8.4.2(6), Table 8.3")
+    if demand.section is not None and demand.beta_e is not None:
+        others = demand.other_betas()
+        yield from other_betas_in_steps(demand.way, demand.beta_e, others, "beta_e", "8.4.2(6)")
     yield from _stress(demand)
     yield from in_shear(concrete, bars, demand.d, "d_v")
     yield Step("perimeter at the face that counts", "b_0", demand.b_0, "m", clause="8.4.3(1), Figure 8.18")
