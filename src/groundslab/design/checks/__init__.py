@@ -69,7 +69,7 @@ CHECKS: tuple[Callable[[Results], Iterable[DesignCheck]], ...] = (
 )
 
 #: What no check looks at.
-NOT_CHECKED = "anchorage is not checked"
+NOT_CHECKED, LAPS_NOT_CHECKED = "anchorage is not checked", "laps are not checked"
 
 
 @dataclass(frozen=True, slots=True)
@@ -140,8 +140,9 @@ def _check_design(combined: Results) -> Design:
     listed = tuple(sorted((check for check in checks if check.status != "not checked"), key=_order))
     checked = [check for check in listed if check.off is None]
     unchecked = {check.name: check.words for check in checks if check.status == "not checked"}
-    if "strength" not in unchecked and anchorage.NAME not in [check.name for check in checks]:
-        unchecked = {"anchorage": NOT_CHECKED, **unchecked}
+    if "strength" not in unchecked:
+        anchored = anchorage.NAME in [check.name for check in checks]
+        unchecked = {"rest": LAPS_NOT_CHECKED if anchored else NOT_CHECKED, **unchecked}
     left = joined(unchecked.values(), "; ")
     failing, doubtful = (sum(check.status == status for check in checked) for status in ("fails", "attention"))
     hanging = sum(check.hangs for check in checked)

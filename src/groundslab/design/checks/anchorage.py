@@ -132,6 +132,11 @@ def _to_ends(
         np.array([reduce(places[of_piece == number, axis]) for number in range(len(pieces))])
         for reduce in (np.min, np.max)
     )
+    # a line along a border of the region comes in pieces that go on from each other
+    order = np.lexsort((first, which))
+    which, first, last = which[order], first[order], last[order]
+    begins = np.concatenate([[True], (which[1:] != which[:-1]) | (first[1:] > last[:-1] + ROUNDING)])
+    first, last, which = first[begins], np.maximum.reduceat(last, np.flatnonzero(begins)), which[begins]
     at = nodes[inside][which, axis]
     near = np.maximum(np.maximum(first - at, at - last), 0.0)
     order = np.lexsort((near, which))

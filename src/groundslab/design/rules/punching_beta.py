@@ -47,9 +47,11 @@ def beta_of(model: Model, steel: Reinforcement, punching: PunchingForce) -> Beta
     return asked
 
 
-def way_of(beta: Beta) -> str:
-    """Return the name of a way in WAYS."""
-    return beta if isinstance(beta, str) else "given"
+def way_of(asked: Beta, beta: float | None) -> str:
+    """Return the name of a way in WAYS; by moments where there is no beta."""
+    if beta is None:
+        return "code"
+    return asked if isinstance(asked, str) else "given"
 
 
 def beta_in_steps(way: str, beta: float, symbol: str, clause: str) -> Step:

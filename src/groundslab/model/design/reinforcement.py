@@ -443,6 +443,13 @@ def check_beta(reinforcement: Reinforcement | None, columns: tuple[Column, ...])
     if reinforcement is None:
         return
     own = [column.beta for column in columns]
+    if reinforcement.code == "EN 1992-1-1:2023":
+        places = [("reinforcement", "beta"), *(("columns", position, "beta") for position in range(len(columns)))]
+        for place, beta in zip(places, (reinforcement.beta, *own), strict=True):
+            if beta == "constant":
+                expected = '"code", "sectors" or a number'
+                yield RelativeIssue(place, "a constant beta", expected, "those of its Table 8.3 are not known here")
+        return
     if "constant" in (reinforcement.beta, *own) and not reinforcement.braced:
         expected = "braced = true, that lateral stability does not depend on frame action"
         hint = 'else beta = "code" or "sectors"'

@@ -69,9 +69,9 @@ def test_a_zone_over_all_is_as_closer_bars() -> None:
     """20/150 and 20/150 between them are 20/75: bending, shear, punching, cracks are the same, not as without."""
     twice = checks(results(60e3, zones=[zone(ALL, 0.02)], diameter=0.02))
     closer = checks(results(60e3, spacing=0.075, diameter=0.02))
-    assert set(twice) == set(closer)
+    assert set(twice) - {"anchorage of bars"} == set(closer)
     assert {"one-way shear", "punching within 2 d", "bars at the bottom x", "crack width at the bottom x"} <= set(twice)
-    for name in set(twice) - {"distance of bars", "distance of bars where bent most"}:
+    for name in set(closer) - {"distance of bars", "distance of bars where bent most"}:
         for part in ("demand", "resistance"):
             wanted = getattr(closer[name], part)
             assert getattr(twice[name], part) == (None if wanted is None else pytest.approx(wanted)), name

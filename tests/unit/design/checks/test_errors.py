@@ -181,7 +181,14 @@ def test_links_that_may_not_suffice() -> None:
 
     def words(error: float) -> str:
         stress: Any = SimpleNamespace(
-            v_Ed=1.48e6, u=4.0, beta=1.15, distance=0.5, supported=False, error=lambda: error * 1e6
+            v_Ed=1.48e6,
+            u=4.0,
+            beta=1.15,
+            distance=0.5,
+            supported=False,
+            error=lambda: error * 1e6,
+            way="code",
+            outward=None,
         )
         demand = Demand("K1", "ULS", "ultimate", 1e6, 0.25, 1e6, None, (stress,))
         *_, within = punching.aspects("column", Demands({("ULS", "K1"): demand}), steel)

@@ -21,7 +21,6 @@ class Annex:
     nu: float
     flattest: float
     eta_sys: tuple[float, float]
-    constant_beta: tuple[float, float, float]
     k_w: float
     spacing: tuple[float, float, float]
     delta_c_dev: float

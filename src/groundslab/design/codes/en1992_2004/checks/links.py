@@ -23,8 +23,12 @@ import numpy as np
 
 from groundslab.arrays import Array
 from groundslab.design.codes.en1992_2004 import punching as en1992
-from groundslab.design.codes.en1992_2004.checks.laid_links import CROSSED, LEAST_ROWS, links_that_count
-from groundslab.design.codes.en1992_2004.checks.punching import limited_with_links
+from groundslab.design.codes.en1992_2004.checks.punching import (
+    CROSSED,
+    LEAST_ROWS,
+    limited_with_links,
+    links_that_count,
+)
 from groundslab.design.codes.en1992_2004.checks.punching_demand import (
     FARTHEST,
     REACH,

@@ -10,8 +10,13 @@ from collections.abc import Iterator
 
 from groundslab.design.codes.en1992_2004 import punching as en1992
 from groundslab.design.codes.en1992_2004.annex import Annex
-from groundslab.design.codes.en1992_2004.checks.laid_links import LaidLinks, laid_links
-from groundslab.design.codes.en1992_2004.checks.punching import LEAST_PERIMETERS, governing, limited_with_links
+from groundslab.design.codes.en1992_2004.checks.punching import (
+    LEAST_ROWS,
+    LaidLinks,
+    governing,
+    laid_links,
+    limited_with_links,
+)
 from groundslab.design.codes.en1992_2004.checks.punching_demand import (
     LAST_LINKS,
     LEAST_GROWTH,
@@ -203,8 +208,8 @@ def _reach(demand: Demand, annex: Annex) -> Iterator[Step]:
     first = nearest * d
     words = "distance of the innermost links from the face, at most"
     yield Step(words, "a_F", first, "m", f"{nearest:g} * d", "9.4.3(4)")
-    count = max(LEAST_PERIMETERS, math.ceil((last - first) / (apart * d)) + 1)
-    formula = f"max({LEAST_PERIMETERS}, ceil((a_L - a_F) / s_r) + 1)"
+    count = max(LEAST_ROWS, math.ceil((last - first) / (apart * d)) + 1)
+    formula = f"max({LEAST_ROWS}, ceil((a_L - a_F) / s_r) + 1)"
     yield Step("perimeters of links, at least", "n_L", float(count), "", formula, "9.4.3(1)")
 
 

@@ -162,9 +162,7 @@ def _demand(
     concentrated = _concentrated(results, section, punching, others, shear.V)
     a_p = _contraflexure(results, section, punching)
     tau_min = float(minimum_resistance(concrete, bars, section.d))
-
-    def stress(mesh: CombinationResult) -> float:
-        return _stress(mesh, section, punching, steel, concentrated=concentrated)
+    stress = partial(_stress, section=section, punching=punching, steel=steel, concentrated=concentrated)
 
     def resistance(mesh: CombinationResult) -> float:
         a_pd = en1992.depth_by_contraflexure(_contraflexure(mesh, section, punching), section.d)
@@ -207,7 +205,7 @@ def _demand(
         turned=turned,
         concentrated=concentrated,
         pulls=punching.pulls,
-        way="code" if beta_e is None else way_of(beta_of(results.solved_model, steel, punching)),
+        way=way_of(beta_of(results.solved_model, steel, punching), beta_e),
         other_betas=lambda: _other_betas(results, section, punching, steel),
     )
 
@@ -240,13 +238,8 @@ def _beta(
     if way == "sectors":
         beta = _by_sectors(results, section, punching)
         return (by_moments[0] if beta is None else beta, *by_moments[1:])
-    return (_constant(section, steel) if way == "constant" else way, *by_moments[1:])
-
-
-def _constant(section: CriticalSection, steel: Reinforcement) -> float:
-    """Return the constant beta_e of a section by how it runs."""
-    inside, edge, corner = materials(steel)[0].annex.constant_beta
-    return {"closed": inside, "edge": edge}.get(section.course.shape, corner)
+    assert isinstance(way, float)  # constants are refused
+    return (way, *by_moments[1:])
 
 
 def _by_sectors(
@@ -267,10 +260,10 @@ def _by_sectors(
 def _other_betas(
     results: CombinationResult, section: CriticalSection, punching: PunchingForce, steel: Reinforcement
 ) -> dict[str, float]:
-    """Return beta_e by moments, constant, and by numbers of sectors of equal angle and of equal length."""
+    """Return beta_e by moments, and by numbers of sectors of equal angle and of equal length."""
     shear = _shear(results, section.relieved, section, punching, steel)
     by_moments = _beta_by_moments(results, section, punching, shear)[0]
-    ways = {"constant": _constant(section, steel)} | ({} if by_moments is None else {"code": by_moments})
+    ways = {} if by_moments is None else {"code": by_moments}
     for count in TRIED:
         for by_length in (False, True):
             beta = _by_sectors(results, section, punching, count, by_length=by_length)
