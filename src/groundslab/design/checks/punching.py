@@ -45,7 +45,7 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
         names = list(dict.fromkeys([*(name for _, name in demands.found), *demands.missing]))
         yield from judge_apart(names, str, combined.model.checks.off, judge)
     yield from check_constants(combined, steel)
-    layouts = [layout for layout in punching_links(combined) if layout.limits]
+    layouts = [layout for layout in punching_links(combined) if layout.limits] if steel.links else []
     yield from judge_apart(layouts, lambda layout: layout.name, combined.model.checks.off, _links)
 
 

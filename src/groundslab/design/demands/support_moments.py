@@ -26,6 +26,7 @@ from groundslab.design.demands.design_moments import DesignMoments, design_momen
 from groundslab.fem.mesh import Mesh, boxes_of, locate
 from groundslab.fem.shape_functions import q9
 from groundslab.geometry.plan import Segment
+from groundslab.messages import Message
 from groundslab.model.design.averaging import Averaging, along_axis
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.model.model import Model
@@ -131,29 +132,31 @@ def moments_at_supports(results: Sequence[CombinationResult], steel: Reinforceme
     nodes = results[0].plate.nodes
     areas, lines = support_areas(results[0], steel), averaging_lines(results[0], steel)
     designs = {result.combination: design_moments(result.plate) for result in results}
-    rows = list[SupportMoment]()
-    for number, area in enumerate(areas):
-        for axis, across in zip("xy", lines, strict=True):
-            if across is None:
-                continue
+    rows = list[tuple[int, SupportMoment]]()
+    for axis, across in zip("xy", lines, strict=True):
+        if across is None:
+            continue
+        sizes = dict[tuple[str, str], Array]()
+        for name, moments in designs.items():
+            for layer in (f"bottom_{axis}", f"top_{axis}"):
+                means, counts = across.over(abs(getattr(moments, layer)))
+                sizes[name, layer] = np.where(counts, means, 0.0)
+        keys, table = [*sizes], np.array([*sizes.values()])
+        for number, area in enumerate(areas):
             mine = np.flatnonzero((across.area == number) & (across.read > 0))
             if not len(mine):
                 continue
+            which, place = np.unravel_index(int(table[:, mine].argmax()), (len(keys), len(mine)))
+            (name, layer), line = keys[which], int(mine[place])
             near = across.node[np.isin(across.first, mine) | np.isin(across.second, mine)]
-            sizes = dict[tuple[str, str], Array]()
-            for name, moments in designs.items():
-                for layer in (f"bottom_{axis}", f"top_{axis}"):
-                    means, counts = across.over(abs(getattr(moments, layer)))
-                    sizes[name, layer] = np.where(counts, means, 0.0)[mine]
-            name, layer = max(sizes, key=lambda key: float(sizes[key].max()))
-            line, sign = int(np.argmax(sizes[name, layer])), 1.0 if layer.startswith("bottom") else -1.0
             peaks = getattr(designs[name], layer)[near]
             peak = int(np.argmax(abs(peaks)))
-            rows.append(SupportMoment(
-                area.name, layer, float(across.length[mine[line]]), sign * float(sizes[name, layer][line]),
-                place_of(across.middle, int(mine[line])), name, float(peaks[peak]), place_of(nodes, int(near[peak])),
-            ))  # fmt: skip
-    return rows
+            moment = float(table[which, line]) * (1.0 if layer.startswith("bottom") else -1.0)
+            rows.append((number, SupportMoment(
+                area.name, layer, float(across.length[line]), moment, place_of(across.middle, line), name,
+                float(peaks[peak]), place_of(nodes, int(near[peak])),
+            )))  # fmt: skip
+    return [row for _, row in sorted(rows, key=lambda each: each[0])]
 
 
 def support_areas(results: CombinationResult, steel: Reinforcement) -> tuple[SupportArea, ...]:
@@ -180,10 +183,10 @@ def _footprints(model: Model) -> Iterator[tuple[str, tuple[float, float], tuple[
         x, y = column.extents
         same_area = sqrt(column.ring().area / (x * y))
         yield column.name, (column.x, column.y), (x * same_area, y * same_area)
-    for support in model.supports:
+    for number, support in enumerate(model.supports, start=1):
         if not isinstance(support, LineSupport) and support.diameter is not None:
             side = support.diameter * sqrt(np.pi) / 2
-            yield support.name, (support.x, support.y), (side, side)
+            yield support.name or Message("support {number}", number=number), (support.x, support.y), (side, side)
     for end in wall_ends(model.placed_walls, model.spans_of_walls):
         t = max(leg.thickness for leg in end.legs)
         yield end.name, _center(end, t), (t, t)

@@ -19,9 +19,9 @@ from groundslab.design.demands.perimeter_shear import PerimeterShear, perimeter_
 from groundslab.design.rules.calculation import Step
 from groundslab.design.rules.check import DesignCheck, some
 from groundslab.messages import Message
-from groundslab.model.design.beta import Beta
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.model.model import Model
+from groundslab.model.structure.beta import Beta
 from groundslab.results.plate_result import PlateResult
 from groundslab.results.results import Results
 

@@ -8,7 +8,6 @@ from typing import Annotated, ClassVar, Literal, get_args
 
 from groundslab.model.design.averaging import Averaging, along_axis
 from groundslab.model.design.bars import OTHER_MESH, Bars, BarZone, Layer, MeshName, bars_of_mesh
-from groundslab.model.design.beta import Beta, beta_field
 from groundslab.model.design.detailing import AllowedBars, Detailing
 from groundslab.model.design.punching_links import PunchingLinks
 from groundslab.model.ground import POSITIVE
@@ -18,6 +17,7 @@ from groundslab.model.plate import Plate
 from groundslab.model.plates.other_plates import FurtherPlate, list_plates
 from groundslab.model.plates.region import PlateRegion
 from groundslab.model.shapes import CHORD
+from groundslab.model.structure.beta import Beta, beta_field
 from groundslab.model.structure.columns import Column
 from groundslab.model.structure.wall_ends import wall_ends
 from groundslab.model.structure.walls import Wall, place_walls

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Annotated, ClassVar
 from groundslab.geometry.plan import Place, Ring, circle
 from groundslab.geometry.rectangles import extents_at, rectangle_at
 from groundslab.model.axes.crossings import AtCrossing
-from groundslab.model.design.beta import Beta, beta_field
 from groundslab.model.ground import POSITIVE
+from groundslab.model.structure.beta import Beta, beta_field
 from groundslab.schema.base import Check, Section
 from groundslab.schema.fields import Number, Quantity, Text
 from groundslab.schema.issues import RelativeIssue

@@ -80,7 +80,7 @@ def support_moments(combined: Results, steel: Reinforcement) -> Table:
     ]  # fmt: skip
     rows = [
         [
-            Name(one.support), one.layer.replace("_", " "), one.moment / 1e3, one.width or None, *one.place,
+            one.support, one.layer.replace("_", " "), one.moment / 1e3, one.width or None, *one.place,
             one.combination, one.peak / 1e3, *one.peak_place, 100 * one.moment / one.peak if one.peak else None,
         ]
         for one in moments_at_supports(ultimate_results(combined), steel)
