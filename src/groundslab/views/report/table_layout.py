@@ -22,10 +22,10 @@ MOST_COLUMNS = 11
 MOST_ROWS = 24
 LONG = {
     "acting", "extremes", "envelope", "points", "soil", "lines", "strips", "supports", "columns", "pile_punching",
-    "wall_punching", "zone_punching", "shear_reinforcement",
+    "wall_punching", "zone_punching", "shear_reinforcement", "support_moments",
 }  # fmt: skip
 #: Tables that have no extremes, or whose extremes are in other parts of the report.
-ELSEWHERE = {"acting", "extremes", "envelope", "columns", "shear_reinforcement"}
+ELSEWHERE = {"acting", "extremes", "envelope", "columns", "shear_reinforcement", "support_moments"}
 #: Rows of a grid that are printed into a file at all; a table of more is read from its CSV file.
 MOST_IN_FILE = 3000
 
@@ -35,7 +35,7 @@ ERRORS = "Below each value: its estimated discretization error, as a share of it
 #: So many columns at the left of a table say which row it is, where numbers are among them or words are not.
 KEYS = {
     "combinations": 1, "points": 4, "soil": 5, "lines": 6, "strips": 5, "columns": 2, "column_envelope": 2,
-    "reinforcement": 1,
+    "reinforcement": 1, "support_moments": 2,
 }  # fmt: skip
 
 

@@ -44,6 +44,7 @@ _RELIEVES = (
     "The line force of the ground along the plate's edge inside is subtracted like the pressure inside, as the case "
     "sets line_force_relieves."
 )
+_LINKS = "Links that are given are not in what resists here; checks and calculations of punching have them."
 _OVER_EDGE = (
     "The line force of the ground along the plate's edge inside adds to the punching force, as the pressure does."
 )
@@ -71,6 +72,8 @@ def punching_of(combined: Results, support: Support) -> PunchingColumns:
         return [None] * len(heads) if demand is None else rule.cells(demand, steel, support)
 
     notes = rule.notes(support, steel)
+    if steel.links:
+        notes += (_LINKS,)
     if support != "wall end":
         of_depth = _DEPTH[support].replace("d is", f"{rule.depth} is")
         notes += (_edge_note(steel, support), joined((of_depth, _THINNER), " "), *_pulled_notes(demands.found.values()))

@@ -14,7 +14,7 @@ import { kindChoice, kindText } from "../kind-choice";
 import { foldedRows } from "./folded-rows";
 import { tableRows } from "./table-rows";
 
-const MAX_COLUMNS = 8;
+const MAX_COLUMNS = 9;
 const FLAT = new Set(["quantity", "number", "integer", "choice", "boolean", "text", "tuple", "factors"]);
 
 /** A list with what adds, copies and removes its items; `bare` without its title. */
