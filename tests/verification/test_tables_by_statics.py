@@ -48,7 +48,13 @@ MODEL = Model(
         "lines": [{"name": "L", "start": (-4, 0), "end": (4, 0)}],
         "strips": [{"name": "all", "start": (-4, 0), "end": (4, 0), "width": 6, "stations": 9}],
     },
-    reinforcement={"f_ck": 30e6, "f_yk": 500e6, "bottom": (0.05, 0.06), "top": (0.04, 0.055)},
+    reinforcement={
+        "f_ck": 30e6,
+        "f_yk": 500e6,
+        "bottom": (0.05, 0.06),
+        "top": (0.04, 0.055),
+        "averaging": {"at_columns": "peak", "at_walls": "peak"},  # areas of single nodes are compared
+    },
 )
 #: Own weight 8 x 6 x 0.4 x 25 = 480, with the columns 1280 kN; column 200, patch 20 x 12 = 240, line 30 x 6 = 180.
 G, Q = 1280, 620

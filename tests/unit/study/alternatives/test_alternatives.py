@@ -250,11 +250,11 @@ def test_texts_keep_what_is_not_changed() -> None:
 
 @pytest.mark.slow
 def test_thicker_slabs_punch_less() -> None:
-    """Punching falls as the slab gets thicker; a drop panel relieves it, too; one column needs links."""
+    """With the links that are proposed punching holds; no more columns need some as the slab gets thicker."""
     names = ("50 mm thinner", "bars proposed", "50 mm thicker", "100 mm thicker")
-    used = [raft()[name].utilizations["punching within 2 d"] for name in names]
-    assert used == sorted(used, reverse=True)
-    assert raft()["drop panels, 100 mm"].utilizations["punching within 2 d"] < used[1]
+    assert all(raft()[name].utilizations["punching within 2 d"] <= 1 for name in names)
+    places = [raft()[name].places_of_links for name in names]
+    assert places == sorted(places, reverse=True)
     assert raft()["bars proposed"].places_of_links == 1
 
 
