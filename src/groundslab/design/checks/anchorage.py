@@ -2,12 +2,14 @@
 
 A bar that ends counts in full where it goes on by its anchorage length and the shift of moments, and in proportion
 before (EN 1992-1-1 8.4, 9.2.1.3; ACI 318-19 25.4.2, 7.7.3). Bars that run all over the slab, and bars of zones at the
-slab's edges, end at edges, where U-shaped bars hold them unless the case says that there are none.
+slab's edges, end at edges, where U-shaped bars hold them; where the case says that there are none, these are developed
+from the edge on, too.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
@@ -18,12 +20,15 @@ from groundslab.design.rules.check import DesignCheck
 from groundslab.design.rules.combinations import ultimate_results
 from groundslab.design.rules.detailing_rule import DetailingRule, EndingBar
 from groundslab.messages import Clause, Message
-from groundslab.model.design.bars import BarZone
+from groundslab.model.design.bars import Bars
 from groundslab.model.design.laid_bars import LaidBars, axis_of, bar_area, laid_bars, polygon_of
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.model.plates.region import get_plate_region
 from groundslab.results.fields import LAYERS, place_of
 from groundslab.results.results import Results
+
+if TYPE_CHECKING:
+    from shapely.geometry.base import BaseGeometry
 
 NAME = "anchorage of bars"
 CM2 = 1e4
@@ -45,6 +50,7 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
     plate = results[0].plate
     thickness = results[0].elements.at_nodes(plate)[0]
     required = required_areas(steel, results)
+    slab = get_plate_region(combined.model.plate, combined.model.plates).area
     worst: tuple[float, str, int, Array, Array] | None = None
     for layer in LAYERS:
         zones = [zone for zone in steel.zones if layer in zone.layers]
@@ -52,13 +58,16 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
             continue
         needed = largest_areas(required, layer)[0]
         laid = laid_bars(steel, layer, plate.nodes)
-        lost = sum(
-            (_undeveloped(combined, steel, rule, (layer, zone), laid, thickness) for zone in zones),
-            start=np.zeros(len(needed)),
-        )
-        developed = laid.area - lost
+        base = steel.base_bars(layer)
+        assert base is not None
+        ending = _Layer(layer, steel, rule, laid, plate.nodes, thickness, slab)
+        developed = np.full(len(needed), bar_area(base)) if ending.held else ending.developed(base, slab)
+        for zone in zones:
+            developed = developed + ending.developed(zone.bars, polygon_of(zone.shape.ring()).intersection(slab))
         # bars that are too few by themselves are told by the check of areas
-        used = np.where(needed <= laid.area, needed / developed, 0.0)
+        judged = (needed > 0) & (needed <= laid.area)
+        used = np.divide(needed, developed, out=np.full(len(needed), np.inf), where=developed > 0)
+        used = np.where(judged, used, 0.0)
         node = int(np.argmax(used))
         if worst is None or used[node] > worst[0]:
             worst = float(used[node]), layer, node, needed, developed
@@ -83,42 +92,45 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
     )  # fmt: skip
 
 
-def _undeveloped(
-    combined: Results,
-    steel: Reinforcement,
-    rule: DetailingRule,
-    of: tuple[str, BarZone],
-    laid: LaidBars,
-    thickness: Array,
-) -> Array:
-    """Return what area of a zone's bars in a layer is not developed at the plate's nodes (n,) [m2/m]."""
-    layer, zone = of
-    nodes = ultimate_results(combined)[0].plate.nodes
-    inside, before, after = _to_ends(combined, zone, layer, nodes)
-    lost = np.zeros(len(nodes))
-    if not len(inside):
-        return lost
-    diameter, axis, most = zone.bars.diameter, axis_of(steel, layer), float(thickness[inside].max())
-    below = most - axis if layer.startswith("top") else axis
-    apart = float((laid.clear[inside] + laid.thickest[inside]).min())
-    l_b = rule.anchorage(steel, EndingBar(diameter, axis, apart, below, most - below))
-    held = steel.detailing is None or steel.detailing.edge_bars
-    ends = [np.where(at_edge & held, np.inf, way) for way, at_edge in (before, after)]
-    a_l = rule.shift(most - axis, diameter)
-    share = np.clip((np.minimum(*ends) - a_l) / l_b, 0.0, 1.0)
-    lost[inside] = (1 - share) * bar_area(zone.bars)
-    return lost
+class _Layer(NamedTuple):
+    """A layer of bars, and where it lies."""
+
+    name: str
+    steel: Reinforcement
+    rule: DetailingRule
+    laid: LaidBars
+    nodes: Array  # (n, 2) [m]
+    thickness: Array  # (n,) [m]
+    slab: BaseGeometry
+
+    @property
+    def held(self) -> bool:
+        """Return whether U-shaped bars hold the edges of the slab."""
+        return self.steel.detailing is None or self.steel.detailing.edge_bars
+
+    def developed(self, bars: Bars, region: BaseGeometry) -> Array:
+        """Return what area of bars in a region of the slab is developed at the nodes (n,) [m2/m]."""
+        inside, before, after = _to_ends(self.slab, region, self.name, self.nodes)
+        developed = np.zeros(len(self.nodes))
+        if not len(inside):
+            return developed
+        axis, most = axis_of(self.steel, self.name), float(self.thickness[inside].max())
+        below = most - axis if self.name.startswith("top") else axis
+        apart = float((self.laid.clear[inside] + self.laid.thickest[inside]).min())
+        l_b = self.rule.anchorage(self.steel, EndingBar(bars.diameter, axis, apart, below, most - below))
+        ends = [np.where(at_edge & self.held, np.inf, way) for way, at_edge in (before, after)]
+        a_l = self.rule.shift(most - axis, bars.diameter)
+        developed[inside] = bar_area(bars) * np.clip((np.minimum(*ends) - a_l) / l_b, 0.0, 1.0)
+        return developed
 
 
 def _to_ends(
-    combined: Results, zone: BarZone, layer: str, nodes: Array
+    slab: BaseGeometry, region: BaseGeometry, layer: str, nodes: Array
 ) -> tuple[Integers, tuple[Array, Flags], tuple[Array, Flags]]:
-    """Return the nodes in a zone (k,), how far bars go on before and after them [m], and whether to the slab's edge."""
+    """Return the nodes in a region (k,), how far bars go on on both sides [m], and whether to the slab's edge."""
     from shapely import distance, get_coordinates, get_parts, intersection, intersects_xy, linestrings, points
 
-    model, axis = combined.model, "xy".index(layer[-1])
-    slab = get_plate_region(model.plate, model.plates).area
-    region = polygon_of(zone.shape.ring()).intersection(slab)
+    axis = "xy".index(layer[-1])
     inside = np.flatnonzero(intersects_xy(region, *nodes.T)) if region.area else np.empty(0, dtype=int)
     if not len(inside):
         nothing = np.empty(0), np.empty(0, dtype=bool)

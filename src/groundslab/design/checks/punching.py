@@ -16,6 +16,7 @@ from groundslab.design.rules.punching import (
     PUNCHING,
     Demands,
     judged,
+    punched_names,
     punching_supports,
     with_the_rest,
     with_way,
@@ -45,14 +46,32 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
         names = list(dict.fromkeys([*(name for _, name in demands.found), *demands.missing]))
         yield from judge_apart(names, str, combined.model.checks.off, judge)
     yield from check_constants(combined, steel)
-    layouts = [layout for layout in punching_links(combined) if layout.limits] if steel.links else []
-    yield from judge_apart(layouts, lambda layout: layout.name, combined.model.checks.off, _links)
+    if steel.links:
+        layouts = [layout for layout in punching_links(combined) if steel.links_at(layout.name) is not None]
+        yield from judge_apart(layouts, lambda layout: layout.name, combined.model.checks.off, _links)
+        punched = punched_names(combined, rule.demands)
+        if unused := [links.of for links in steel.links if links.of not in punched]:
+            words = Message("links are given at {names}, where no punching is judged", names=some(unused))
+            yield DesignCheck("links without punching", "attention", words, of=unused[0])
 
 
 def _links(layouts: list[LinkLayout]) -> Iterator[DesignCheck]:
-    """Yield whether links that are given are as the code asks: their distances, their legs, how far out they are."""
+    """Yield whether links that are given are as the code asks: their distances, their legs, how far out they are.
+
+    Those that the code does not allow fail, whatever they would carry; of others its rules are not known here.
+    """
     if not layouts:
         return
+    without = sorted((layout for layout in layouts if layout.why), key=lambda layout: layout.unknown)
+    if without and not (without[0].unknown and any(layout.limits for layout in layouts)):
+        worst = without[0]
+        yield DesignCheck(
+            LINKS, "attention" if worst.unknown else "fails", Message("{name}: {why}", name=worst.name, why=worst.why),
+            of=worst.name, clause=worst.clauses, combination=worst.combination, place=worst.place,
+        )  # fmt: skip
+        return
+    if without:
+        yield DesignCheck(LINKS, "attention", Message("{name}: {why}", name=without[0].name, why=without[0].why))
     layout, limit = max(
         ((layout, limit) for layout in layouts for limit in layout.limits), key=lambda each: each[1].used
     )
@@ -91,7 +110,7 @@ def _judged(
 
 
 def calculations(combined: Results) -> Iterator[tuple[str, list[Calculation]]]:
-    """Yield the name of each way to punch with the governing combinations of all that does; what uses most is first."""
+    """Yield the name of each way to punch with the governing combination of what uses most, or of all that punches."""
     steel = combined.model.reinforcement
     rule = None if steel is None else code_of(steel).punching
     if steel is None or rule is None:
@@ -102,8 +121,9 @@ def calculations(combined: Results) -> Iterator[tuple[str, list[Calculation]]]:
             used = rule.used(demand, steel)
             if used > governing.get(demand.name, (0.0,))[0]:
                 governing[demand.name] = used, demand
+        ranked = sorted(governing.values(), key=lambda each: -each[0])
         of_way = [
             Calculation(demand.name, demand.combination, tuple(rule.steps(demand, steel, support)), demand.sketch)
-            for _, demand in sorted(governing.values(), key=lambda each: -each[0])
+            for _, demand in ranked[: None if combined.model.report.sheets == "all" else 1]
         ]
         yield PUNCHING[support], of_way

@@ -110,6 +110,15 @@ def punching_supports(combined: Results) -> Iterator[Support]:
         yield "wall end"
 
 
+def punched_names(combined: Results, demands_of: Mapping[Support, Callable[[Results], Demands[Any]]]) -> set[str]:
+    """Return the names of what punches and is judged, by the demands in each way to do so."""
+    names = set[str]()
+    for support in punching_supports(combined):
+        demands = demands_of[support](combined)
+        names |= {name for _, name in demands.found} - set(demands.missing)
+    return names
+
+
 def forces_that_punch(combined: Results, support: Support) -> tuple[PunchingForce, ...]:
     """Return the columns, piles or thicker zones that may punch the plate."""
     if support == "zone":

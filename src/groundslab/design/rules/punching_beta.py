@@ -47,13 +47,6 @@ def beta_of(model: Model, steel: Reinforcement, punching: PunchingForce) -> Beta
     return asked
 
 
-def way_of(asked: Beta, beta: float | None) -> str:
-    """Return the name of a way in WAYS; by moments where there is no beta."""
-    if beta is None:
-        return "code"
-    return asked if isinstance(asked, str) else "given"
-
-
 def beta_in_steps(way: str, beta: float, symbol: str, clause: str) -> Step:
     """Return the step of a beta that does not follow from moments."""
     words, where = {
@@ -136,6 +129,20 @@ def sector_pieces(plate: PlateResult, legs: Array, inside: Array, d: float) -> t
     """Return how shear forces across the parts of a perimeter's legs (l, 2, 2) around a place (2,) are read."""
     pieces = (perimeter_shear(plate, chain, inside, d) for chain in chains(legs))
     return tuple(piece for piece in pieces if piece is not None)
+
+
+def betas_by_sectors(
+    pieces: Sequence[PerimeterShear], plate: PlateResult, center: Array, axis: Array, *, sign: float
+) -> dict[str, float]:
+    """Return beta by numbers of sectors of equal angle and of equal length, by their names in calculations."""
+    ways = {
+        f"sectors {count}{' by length' * by_length}": beta_by_sectors(
+            pieces, plate, center, axis, sign=sign, count=count, by_length=by_length
+        )
+        for count in TRIED
+        for by_length in (False, True)
+    }
+    return {name: beta for name, beta in ways.items() if beta is not None}
 
 
 def beta_by_sectors(

@@ -474,6 +474,9 @@ def check_links(
     known += [support.name or f"support {number}" for number, support in enumerate(supports, start=1)]
     known += [end.name for end in wall_ends(place_walls(walls, list_plates(plate, plates)))]
     for position, links in enumerate(reinforcement.links):
+        if known.count(links.of) > 1:
+            found, expected = f"{quote(links.of)}, the name of several", "other names of some of them"
+            yield RelativeIssue(("reinforcement", "links", position, "of"), found, expected)
         # ends over openings of the plate, and zones that are judged together, are known by the results
         if links.of not in known and not re.match(r"zones? \d|edge at ", links.of):
             place = ("reinforcement", "links", position, "of")

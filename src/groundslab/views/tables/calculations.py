@@ -78,7 +78,7 @@ def _followed(combined: Results) -> Iterator[tuple[str, Calculation]]:
         yield from _bending(combined, steel, code.bars_by_steps)
     yield from beam_steps(combined, steel)
     for name, calculated in punching.calculations(combined):
-        for calculation in calculated if combined.model.report.sheets == "all" else calculated[:1]:
+        for calculation in calculated:
             yield name, calculation
 
 

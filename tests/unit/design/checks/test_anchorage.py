@@ -83,7 +83,8 @@ def test_edges_hold_bars() -> None:
     assert whole.status == "no failure found"
     bare = anchored(raft(4.0, detailing={"edge_bars": False}))
     assert bare is not None
-    assert (bare.utilization or 0.0) >= (whole.utilization or 0.0)
+    assert bare.status == "fails"
+    assert abs(bare.place[0]) > 3.0  # type: ignore[index]
 
 
 def test_what_has_no_zones_has_no_such_check() -> None:
@@ -102,7 +103,7 @@ def test_bars_that_are_proposed_are_anchored(steel: dict[str, Any]) -> None:
     """Zones of a proposal go on as far as is needed."""
     model = raft(2.0, **steel)
     proposal = gs.propose_bars(solve_once(model))
-    if proposal.reinforcement.zones:
-        check = anchored(proposal.model)
-        assert check is not None
-        assert check.status == "no failure found", check.words
+    assert proposal.reinforcement.zones
+    check = anchored(proposal.model)
+    assert check is not None
+    assert check.status == "no failure found", check.words

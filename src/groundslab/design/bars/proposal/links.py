@@ -6,7 +6,7 @@ from groundslab.arrays import made_once
 from groundslab.design.codes.registry import code_of
 from groundslab.design.rules.combinations import ultimate_results
 from groundslab.design.rules.punching import punching_supports
-from groundslab.design.rules.punching_links.layout import LinkLayout, lay_links, read_links
+from groundslab.design.rules.punching_links.layout import LinkLayout, lay_given_links, lay_links
 from groundslab.model.design.detailing import allowed_bars
 from groundslab.model.design.laid_bars import axis_of
 from groundslab.model.design.reinforcement import Reinforcement
@@ -53,7 +53,7 @@ def punching_links(combined: Results) -> tuple[LinkLayout, ...]:
     return tuple(
         lay_links(demand, diameters, covers)
         if (given := steel.links_at(demand.name)) is None
-        else read_links(demand, given, covers)
+        else lay_given_links(demand, given, covers)
         for support in punching_supports(combined)
         for demand in rule.links(combined, steel, support, rule.demands[support](combined))
     )

@@ -37,8 +37,8 @@ from groundslab.schema.issues import require
 MOST_ROUNDS = 10
 #: A face may be in tension where its moment is less than this share of the largest one on the other side of none.
 NEAR_TENSION = 0.02
-#: The check that links are for, whatever the code calls it.
-ANY_PUNCHING = "punching within 2 d"
+#: The checks at columns that links are for, by the codes.
+PUNCHING = ("punching within 2 d", "punching", "two-way shear")
 #: What counts as rounding, relative.
 ROUNDING = 1e-9
 
@@ -358,7 +358,7 @@ def _proposal(results: Results, found: Reinforcement, needs: dict[str, Array], r
             if layer in zone.layers:
                 laid[layer] += bar_area(zone.bars) * float(polygon_of(zone.shape.ring()).intersection(region.area).area)
     required = {layer: float((needs[layer] * plate.area).sum()) for layer in LAYERS}
-    off = [check for check in model.checks.off if check.covers(ANY_PUNCHING, check.of)]
+    off = [check for check in model.checks.off if any(check.covers(name, check.of) for name in PUNCHING)]
     links = [
         layout
         for layout in punching_links(replace(results, model=model))

@@ -37,6 +37,7 @@ from groundslab.design.rules.check import NO_PLACE, DesignCheck, Status, not_jud
 from groundslab.design.rules.combinations import ultimate_results
 from groundslab.design.rules.demand_errors import error_of_greatest, scaled
 from groundslab.design.rules.design_code import DesignCode, ShearRule, no_rule
+from groundslab.design.rules.punching import punched_names
 from groundslab.design.rules.shear_demand import AlongForce, ShearDemand
 from groundslab.design.rules.wide_beam import Cut, same
 from groundslab.messages import Clause, Message, Name
@@ -61,7 +62,8 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
     model = combined.solved_model
     punching = (*punching_columns(model), *punching_piles(model), *zone_forces(combined))
     nodes = nodes_of(steel, rule, results)
-    links = {given.of: given.distances[-1] for given in steel.links}
+    punched = punched_names(combined, code.punching.demands) if steel.links and code.punching is not None else ()
+    links = {given.of: given.distances[-1] for given in steel.links if given.of in punched}
     necks = neck_cuts(results[0], nodes.thickness)
     places = ShearPlaces(nodes, bearers(model), punching, reach, necks, links, rule.beyond_links)
     demands = [demand for result in results for demand in _of_combination(result, places, steel, rule)]

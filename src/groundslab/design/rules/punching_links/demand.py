@@ -86,6 +86,7 @@ class LinkDemand:
     combination: str  # that needs most
     clauses: str
     arrangement: Arrangement | str
+    unknown: bool = False  # whether the reason is that the code's rules for it are not known here
 
 
 def rounded_down(distance: float) -> float:

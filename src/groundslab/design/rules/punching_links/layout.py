@@ -80,6 +80,8 @@ class LinkLayout:
         The reason why there are none; else empty.
     limits : tuple of LinkLimit
         Of links that are given: what the code asks of them. None of those that are proposed.
+    unknown : bool
+        Whether the reason is that the code's rules for the layout are not known here.
     """
 
     support: Support
@@ -92,6 +94,7 @@ class LinkLayout:
     perimeters: tuple[LinkPerimeter, ...] = ()
     why: str = ""
     limits: tuple[LinkLimit, ...] = ()
+    unknown: bool = False
 
     @property
     def where(self) -> str:
@@ -141,7 +144,7 @@ def lay_links(demand: LinkDemand, diameters: Sequence[float], covers: tuple[floa
     arrangement = demand.arrangement
     start = demand.support, demand.name, demand.place, demand.combination, demand.clauses
     if isinstance(arrangement, str):
-        return LinkLayout(*start, why=arrangement)
+        return LinkLayout(*start, why=arrangement, unknown=demand.unknown)
     clear = max(covers) + max(diameters) / 2
     inner = arrangement.plan.buffer(-clear)
 
@@ -167,7 +170,7 @@ def lay_links(demand: LinkDemand, diameters: Sequence[float], covers: tuple[floa
     return min(layouts, key=lambda layout: (layout.mass, layout.number))
 
 
-def read_links(demand: LinkDemand, given: PunchingLinks, covers: tuple[float, float]) -> LinkLayout:
+def lay_given_links(demand: LinkDemand, given: PunchingLinks, covers: tuple[float, float]) -> LinkLayout:
     """Return links that are given, with what the code asks of them, with covers [m] at the bottom and the top.
 
     Legs are shared out to the parts of a perimeter that count so that they are as near to each other as they can be.
@@ -175,7 +178,7 @@ def read_links(demand: LinkDemand, given: PunchingLinks, covers: tuple[float, fl
     arrangement = demand.arrangement
     start = demand.support, demand.name, demand.place, demand.combination, demand.clauses
     if isinstance(arrangement, str):
-        return LinkLayout(*start, why=arrangement)
+        return LinkLayout(*start, why=arrangement, unknown=demand.unknown)
     inner = arrangement.plan.buffer(-(max(covers) + given.diameter / 2))
     limits, perimeters = [*arrangement.limits(given)], list[LinkPerimeter]()
     for row, count in zip(arrangement.rows(given), given.counts, strict=True):

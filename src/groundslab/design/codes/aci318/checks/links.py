@@ -58,9 +58,9 @@ def links(combined: Results, steel: Reinforcement, support: Support, demands: De
     if support == "wall end":
         for name in dict.fromkeys(name for _, name in demands.found):
             worst = _worst(demands.found, name, steel)
-            if used(worst, steel) > 1:
+            if used(worst, steel) > 1 or steel.links_at(name) is not None:
                 why = "stirrups at ends of walls are not laid out by this code here"
-                yield LinkDemand("wall end", name, worst.place, worst.combination, CLAUSES, why)
+                yield LinkDemand("wall end", name, worst.place, worst.combination, CLAUSES, why, unknown=True)
         return
     forces = forces_that_punch(combined, support)
     yield from _of_forces(ultimate_results(combined), steel, support, forces, demands.found)

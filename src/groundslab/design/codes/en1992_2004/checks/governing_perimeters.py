@@ -31,17 +31,19 @@ from groundslab.design.demands import line_properties, perimeter_loads
 from groundslab.design.demands.by_plate import plate_under
 from groundslab.design.demands.line_properties import Course
 from groundslab.design.demands.perimeter_loads import LoadsNear, PerimeterLoads, Places, PunchingForce, PunchingShear
+from groundslab.design.demands.perimeter_shear import PerimeterShear
 from groundslab.design.demands.perimeters import Perimeter, SketchedPerimeter, Surroundings, perimeter_at, surroundings
 from groundslab.design.demands.zones.thicker_zones import ZoneForce, zone_forces
 from groundslab.design.demands.zones.thinner_slab import ThinnerPart, counted, thinner_parts
 from groundslab.design.rules.combinations import ultimate_results
 from groundslab.design.rules.demand_errors import error_of
 from groundslab.design.rules.punching import Demands
-from groundslab.design.rules.punching_beta import SECTORS, TRIED, beta_by_sectors, beta_of, sector_pieces
+from groundslab.design.rules.punching_beta import beta_by_sectors, beta_of, betas_by_sectors, sector_pieces
 from groundslab.errors import InputError
 from groundslab.model.design.laid_bars import punching_ratio
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.model.model import Model
+from groundslab.results.plate_result import PlateResult
 from groundslab.results.results import CombinationResult, Results
 
 #: Distances of the perimeters that are looked at first, over the effective depth.
@@ -440,7 +442,8 @@ def _raised(
     if asked == "constant":
         return _Raised(_constant(site, control) * force, asked)
     if asked == "sectors":
-        beta = _by_sectors(results, site, control)
+        sign = -1.0 if site.punching.from_below else 1.0
+        beta = beta_by_sectors(*_sectors(results, site, control), sign=sign)
         if beta is not None:
             return _Raised(max(beta, materials(site.steel)[0].annex.least_beta) * force, asked)
     elif asked != "code":
@@ -454,30 +457,24 @@ def _constant(site: _Site, control: ControlPerimeter) -> float:
     return {"closed": inside, "edge": edge}.get(control.course.shape, corner)
 
 
-def _by_sectors(
-    results: CombinationResult, site: _Site, control: ControlPerimeter, count: int = SECTORS, *, by_length: bool = False
-) -> float | None:
-    """Return beta by the shear forces in sectors of a perimeter, of equal angle or of equal length."""
+def _sectors(
+    results: CombinationResult, site: _Site, control: ControlPerimeter
+) -> tuple[tuple[PerimeterShear, ...], PlateResult, Array, Array]:
+    """Return what shear forces in sectors of a perimeter are read from: its pieces, the plate, its center and axis."""
     plate, center = plate_under(results, *site.punching.place), np.array(site.punching.place)
     if not control.sectors:
         control.sectors.append(sector_pieces(plate, control.legs, center, site.d))
-    sign = -1.0 if site.punching.from_below else 1.0
-    axis = control.course.frame[0]
-    return beta_by_sectors(control.sectors[0], plate, center, axis, sign=sign, count=count, by_length=by_length)
+    return control.sectors[0], plate, center, control.course.frame[0]
 
 
 def _other_ways(
     results: CombinationResult, site: _Site, control: ControlPerimeter, shear: PunchingShear, applied: Array
 ) -> dict[str, float]:
-    """Return beta by moments, constant, and by numbers of sectors of equal angle and of equal length."""
+    """Return beta by moments, constant, and by numbers of sectors."""
     by_moments = _raised_by_moments(site, control, shear.moments, shear.V, applied)
-    ways = {"code": by_moments.force / shear.V, "constant": _constant(site, control)}
-    for count in TRIED:
-        for by_length in (False, True):
-            beta = _by_sectors(results, site, control, count, by_length=by_length)
-            if beta is not None:
-                ways[f"sectors {count}{' by length' * by_length}"] = beta
-    return ways
+    sign = -1.0 if site.punching.from_below else 1.0
+    by_sectors = betas_by_sectors(*_sectors(results, site, control), sign=sign)
+    return {"code": by_moments.force / shear.V, "constant": _constant(site, control), **by_sectors}
 
 
 def _raised_by_moments(

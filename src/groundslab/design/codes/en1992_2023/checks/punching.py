@@ -116,7 +116,8 @@ def links(_: Results, __: Reinforcement, support: Support, demands: Demands[Punc
         if not demand.supported and demand.used > least:
             worst[demand.name] = demand
     for demand in worst.values():
-        yield LinkDemand(support, demand.name, demand.place, demand.combination, "EN 1992-1-1:2023 8.4.4", NO_LAYOUT)
+        about = support, demand.name, demand.place, demand.combination, "EN 1992-1-1:2023 8.4.4"
+        yield LinkDemand(*about, NO_LAYOUT, unknown=True)
 
 
 def _worst(judged: list[Punching], steel: Reinforcement, name: str) -> DesignCheck:

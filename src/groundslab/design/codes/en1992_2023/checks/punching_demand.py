@@ -8,7 +8,7 @@ from functools import partial
 
 import numpy as np
 
-from groundslab.arrays import made_once, made_once_by
+from groundslab.arrays import Array, made_once, made_once_by
 from groundslab.design.codes.en1992_2023 import punching as en1992
 from groundslab.design.codes.en1992_2023.checks.critical_sections import AVERAGED, CriticalSection, critical_section
 from groundslab.design.codes.en1992_2023.materials_of_case import materials
@@ -16,22 +16,21 @@ from groundslab.design.codes.en1992_2023.shear import minimum_resistance
 from groundslab.design.demands import perimeter_loads
 from groundslab.design.demands.by_plate import plate_under
 from groundslab.design.demands.perimeter_loads import PerimeterLoads, Places, PunchingForce, PunchingShear
-from groundslab.design.demands.perimeter_shear import contraflexure
+from groundslab.design.demands.perimeter_shear import PerimeterShear, contraflexure
 from groundslab.design.demands.perimeters import SketchedPerimeter
 from groundslab.design.demands.zones.thicker_zones import zone_forces
 from groundslab.design.rules.combinations import ultimate_results
 from groundslab.design.rules.demand_errors import error_of, scaled
 from groundslab.design.rules.punching import Demands
 from groundslab.design.rules.punching_beta import (
-    SECTORS,
-    TRIED,
     beta_by_sectors,
     beta_of,
+    betas_by_sectors,
     sector_pieces,
-    way_of,
 )
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.model.model import Model
+from groundslab.results.plate_result import PlateResult
 from groundslab.results.results import CombinationResult, Results
 
 #: Another column nearer to the perimeter than so many d_v whose force is so large a share of V_Ed asks for the forces
@@ -158,7 +157,7 @@ def _demand(
     punching, others = forces
     concrete, bars = materials(steel, results.limit_state)
     shear = _shear(results, section.relieved, section, punching, steel)
-    beta_e, e_or_M, turned = _beta(results, section, punching, shear, steel)
+    (beta_e, e_or_M, turned), way = _beta(results, section, punching, shear, steel)
     concentrated = _concentrated(results, section, punching, others, shear.V)
     a_p = _contraflexure(results, section, punching)
     tau_min = float(minimum_resistance(concrete, bars, section.d))
@@ -205,7 +204,7 @@ def _demand(
         turned=turned,
         concentrated=concentrated,
         pulls=punching.pulls,
-        way=way_of(beta_of(results.solved_model, steel, punching), beta_e),
+        way=way,
         other_betas=lambda: _other_betas(results, section, punching, steel),
     )
 
@@ -229,47 +228,36 @@ def _beta(
     punching: PunchingForce,
     shear: PunchingShear,
     steel: Reinforcement,
-) -> tuple[float | None, tuple[float, float], float]:
-    """Return beta_e as the case asks for it, and the rest as by moments."""
+) -> tuple[tuple[float | None, tuple[float, float], float], str]:
+    """Return beta_e as the case asks for it, the rest as by moments, and how it was found."""
     by_moments = _beta_by_moments(results, section, punching, shear)
     way = beta_of(results.solved_model, steel, punching)
     if by_moments[0] is None or way == "code":
-        return by_moments
+        return by_moments, "code"
     if way == "sectors":
-        beta = _by_sectors(results, section, punching)
-        return (by_moments[0] if beta is None else beta, *by_moments[1:])
+        beta = beta_by_sectors(*_sectors(results, section, punching), sign=-1.0 if punching.from_below else 1.0)
+        return (by_moments, "code") if beta is None else ((beta, *by_moments[1:]), way)
     assert isinstance(way, float)  # constants are refused
-    return (way, *by_moments[1:])
+    return (way, *by_moments[1:]), "given"
 
 
-def _by_sectors(
-    results: CombinationResult,
-    section: CriticalSection,
-    punching: PunchingForce,
-    count: int = SECTORS,
-    *,
-    by_length: bool = False,
-) -> float | None:
-    """Return beta_e by the shear forces in sectors of a section, of equal angle or of equal length."""
+def _sectors(
+    results: CombinationResult, section: CriticalSection, punching: PunchingForce
+) -> tuple[tuple[PerimeterShear, ...], PlateResult, Array, Array]:
+    """Return what shear forces in sectors of a section are read from: its pieces, the plate, its center and axis."""
     plate = plate_under(results, *punching.place)
     pieces = sector_pieces(plate, section.legs, section.line_center, section.d)
-    sign, axis = -1.0 if punching.from_below else 1.0, section.course.frame[0]
-    return beta_by_sectors(pieces, plate, section.place, axis, sign=sign, count=count, by_length=by_length)
+    return pieces, plate, section.place, section.course.frame[0]
 
 
 def _other_betas(
     results: CombinationResult, section: CriticalSection, punching: PunchingForce, steel: Reinforcement
 ) -> dict[str, float]:
-    """Return beta_e by moments, and by numbers of sectors of equal angle and of equal length."""
+    """Return beta_e by moments, and by numbers of sectors."""
     shear = _shear(results, section.relieved, section, punching, steel)
     by_moments = _beta_by_moments(results, section, punching, shear)[0]
-    ways = {} if by_moments is None else {"code": by_moments}
-    for count in TRIED:
-        for by_length in (False, True):
-            beta = _by_sectors(results, section, punching, count, by_length=by_length)
-            if beta is not None:
-                ways[f"sectors {count}{' by length' * by_length}"] = beta
-    return ways
+    by_sectors = betas_by_sectors(*_sectors(results, section, punching), sign=-1.0 if punching.from_below else 1.0)
+    return by_sectors if by_moments is None else {"code": by_moments, **by_sectors}
 
 
 def _beta_by_moments(
@@ -303,7 +291,7 @@ def _stress(
 ) -> float:
     """Return tau_Ed [Pa]: beta_e V_Ed / (b_0.5 d_v), and that of the analysis if a large force acts close by."""
     shear = _shear(results, section.relieved, section, punching, steel)
-    beta_e, _, turned = _beta(results, section, punching, shear, steel)
+    (beta_e, _, turned), _ = _beta(results, section, punching, shear, steel)
     by_force = (shear.V + turned if beta_e is None else beta_e * shear.V) / (section.b_05 * section.d)
     return max(by_force, _of_analysis(results, section, punching) or 0.0) if concentrated else by_force
 
