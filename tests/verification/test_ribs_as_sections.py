@@ -9,7 +9,8 @@ import pytest
 
 import groundslab as gs
 from groundslab.arrays import Array
-from groundslab.design.bars.beam_bars import beam_needs, section_forces
+from groundslab.design.bars.beam_bars import beam_needs
+from groundslab.design.bars.members import members_of
 from groundslab.design.demands.section_cuts import carried_across
 
 #: A strip of 1 m by 0.4 m under 150 kN/m, with a rib of 0.4 m by 0.4 m below it.
@@ -44,7 +45,7 @@ def solved(model: gs.Model) -> tuple[gs.Results, Array, Array, Array]:
     results = gs.solve(model)
     assert results["ULS"].certificate.holds
     assert results.model.reinforcement is not None
-    own = section_forces(results["ULS"], model.beams[0], results["ULS"].beams[0])
+    own = members_of(model)[0].forces(results["ULS"])
     return results, own.way, own.moment, own.shear
 
 

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from groundslab.design.bars.proposal.propose import BarProposal
     from groundslab.design.rules.punching_links.layout import LinkLayout
     from groundslab.model.design.bars import Bars, BarZone
+    from groundslab.model.design.beam_links import BeamLinks
     from groundslab.results.results import Results
     from groundslab.unit_systems import System
 
@@ -96,6 +97,7 @@ def _words(proposal: BarProposal, units: System) -> Iterator[str]:
         )  # fmt: skip
         yield from (_zone(zone, units) for zone in zones)
     yield from (_links(layout, units) for layout in proposal.links)
+    yield from (_beam_links(links, units) for links in steel.beam_links)
     yield from (Message("note: {remark}", remark=remark) for remark in proposal.remarks)
 
 
@@ -117,6 +119,14 @@ def _links(layout: LinkLayout, units: System) -> str:
         "links at {where}: {counts} legs {size}, first perimeter {first:g m} from the face{radial}; {mass:.0f kg}",
         where=Name(layout.where), counts=str(layout.counts), size=bar_size(layout.diameter, units),
         first=layout.perimeters[0].distance, radial=radial, mass=layout.mass,
+    )  # fmt: skip
+
+
+def _beam_links(links: BeamLinks, units: System) -> str:
+    """Return links along a beam in words."""
+    return Message(
+        "links along {beam}: {legs} legs, {bars}",
+        beam=Name(links.of), legs=links.legs, bars=bars_at(links.diameter, links.spacing, units),
     )  # fmt: skip
 
 

@@ -16,6 +16,7 @@ from groundslab.model.design.limits import SoilStrength
 from groundslab.model.design.reinforcement import (
     check_bar_distances,
     check_bar_zones,
+    check_beam_links,
     check_beta,
     check_links,
     check_strips,
@@ -389,6 +390,7 @@ DESIGN: tuple[Check, ...] = (
     check_bar_zones,
     check_strips,
     check_links,
+    check_beam_links,
     check_beta,
     check_cracking,
     check_design_combinations,

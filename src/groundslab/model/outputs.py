@@ -22,7 +22,11 @@ from groundslab.schema.section_fields import Table
 from groundslab.unit_systems import System
 
 if TYPE_CHECKING:
+    from shapely import Polygon
     from shapely.geometry.base import BaseGeometry
+
+#: A strip that is a beam ends at the plate's edges, within such a share of its width.
+AT_EDGE = 0.01
 
 
 class Project(Section):
@@ -114,7 +118,7 @@ class OutputLine(Section):
 
 
 class OutputStrip(Section):
-    """A design strip: moments across it, as integrals over its width and per meter."""
+    """A design strip: forces across it, as integrals over its width and per meter; it may be designed as a beam."""
 
     constraints: ClassVar[tuple[Check, ...]] = (_check_line_length,)
 
@@ -127,6 +131,28 @@ class OutputStrip(Section):
     stations: Annotated[
         int, Integer("number of cuts across it, evenly spaced from start to end", at_least=2, at_most=1000)
     ] = 21
+    design: Annotated[
+        Literal["plate", "beam"],
+        Choice(
+            Literal["plate", "beam"],
+            "what the slab is designed as along it: a plate, or a beam from edge to edge, as a grade beam",
+            "",
+        ),
+    ] = "plate"
+    torsion: Annotated[
+        Literal["resisted", "released"],
+        Choice(
+            Literal["resisted", "released"],
+            "whether as a beam it is designed for torsion; released where only compatibility twists it",
+            "",
+        ),
+    ] = "resisted"
+
+    def area(self) -> Polygon:
+        """Return what it covers in plan, on the plate and beside it."""
+        from shapely import LineString
+
+        return LineString([self.start, self.end]).buffer(self.width / 2, cap_style="flat")
 
 
 def _check_point_names(points: tuple[OutputPoint, ...]) -> Iterator[RelativeIssue]:
@@ -180,3 +206,23 @@ def check_output(
         for position, line in enumerate(lines):
             if not outline.intersects(LineString([line.start, line.end])):
                 yield RelativeIssue(("output", part, position), "a line off the plate", "one that crosses it")
+    yield from _check_beams(covered, output.strips)
+
+
+def _check_beams(covered: PlateRegion, strips: tuple[OutputStrip, ...]) -> Iterator[RelativeIssue]:
+    """Find strips that are beams whose axis leaves the plate, or beside which the plate goes on."""
+    from shapely import LineString, union_all
+
+    beams = [(position, strip) for position, strip in enumerate(strips) if strip.design == "beam"]
+    if not beams:
+        return
+    every = union_all([strip.area() for _, strip in beams])
+    for position, strip in beams:
+        axis, near = LineString([strip.start, strip.end]), AT_EDGE * strip.width
+        if not covered.area.buffer(near).covers(axis):
+            yield RelativeIssue(("output", "strips", position), "a beam off the plate", "one whose axis lies on it")
+        beside = strip.area().buffer(near, cap_style="flat").difference(every).intersection(covered.area)
+        if beside.buffer(-near / 4).area > 0:
+            found, expected = "a beam beside which the plate goes on", "one that reaches from edge to edge"
+            hint = 'widen it, give the beams that cross it, too, or design = "plate"'
+            yield RelativeIssue(("output", "strips", position, "width"), found, expected, hint)

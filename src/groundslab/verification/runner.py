@@ -25,7 +25,8 @@ from groundslab.accuracy.judgment import SIZES, JudgedValue, judged_values
 from groundslab.accuracy.values import estimate_error, estimate_errors
 from groundslab.analysis import driver
 from groundslab.case import casefile
-from groundslab.design.bars.beam_bars import beam_needs, section_forces
+from groundslab.design.bars.beam_bars import beam_needs
+from groundslab.design.bars.members import BeamMember
 from groundslab.design.bars.wall_bars import wall_needs
 from groundslab.design.checks import DesignCheck, check_design
 from groundslab.discretize.ground import ground_of, varies
@@ -208,9 +209,8 @@ def _principal(results: CombinationResult, row: Mapping[str, Any], sign: float) 
 
 def _of_beam(results: CombinationResult, row: Mapping[str, Any], name: str) -> float:
     """Return a section force of a row's beam at its way, of a rib that of the T [N m or N]."""
-    members, beams = results.model.members, results.beams
-    number = next(number for number, beam in enumerate(beams) if beam.name == row["beam"])
-    forces = section_forces(results, members[number], beams[number])
+    number = next(number for number, beam in enumerate(results.beams) if beam.name == row["beam"])
+    forces = BeamMember(results.model.members[number], number).forces(results)
     return float(np.interp(row["way"], forces.way, getattr(forces, name)))
 
 

@@ -1,4 +1,4 @@
-"""Bars and links that beams of concrete need in the ultimate combinations, by the code of the case.
+"""Bars and links that beams of concrete, and strips that are beams, need in the ultimate combinations, by the code.
 
 A rectangle takes its own moment. A rib acts as a T with its flange: the slab's moment over the flange's width adds to
 the rib's, and the shear force is the slope of both. Where the flange is compressed it counts with its effective width,
@@ -14,20 +14,20 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from groundslab.arrays import Array, Flags, Integers, made_once
+from groundslab.arrays import Array, Flags, made_once
+from groundslab.design.bars.members import Member, Section, StripMember, across, members_of
 from groundslab.design.codes.eurocode2.struts import LEVER
 from groundslab.design.codes.registry import code_of
-from groundslab.design.demands.beam_supports import faces_on, shear_forces
-from groundslab.design.demands.section_cuts import length_across, moments_across
+from groundslab.design.demands.beam_supports import shear_forces
+from groundslab.design.demands.section_cuts import length_across
 from groundslab.design.rules.bending import Reinforcement as Bending
 from groundslab.design.rules.bending_steps import BarsNeeded
 from groundslab.design.rules.combinations import ultimate_results
 from groundslab.design.rules.demand_errors import error_along
 from groundslab.design.rules.design_code import TensionZone
-from groundslab.design.rules.webs import Flange, Web
-from groundslab.fem.mesh import Mesh, locate
+from groundslab.design.rules.webs import Flange, Web, WebNeed
 from groundslab.model.design.reinforcement import Reinforcement
-from groundslab.model.structure.beams import Beam, GivenSection, RibSection
+from groundslab.results.fields import LAYERS
 from groundslab.results.records import BeamResult
 from groundslab.results.results import CombinationResult, Results
 
@@ -71,49 +71,45 @@ class BeamNeed:
     course: tuple[Array, Array] | None = field(default=None, compare=False, repr=False)
 
 
-@dataclass(frozen=True, slots=True)
-class _Section:
-    """A concrete section at k places along a beam, as the code needs it."""
-
-    h: Array  # (k,): height [m]
-    b: float  # of the web [m]
-    compressed: tuple[float, float]  # width where the beam sags, where it hogs [m]
-    flange: Array  # (k,): thickness of the flange [m]; infinite without one
-    d: tuple[Array, Array]  # (k,) each: effective depth where it sags, where it hogs [m]
-    diameter: float  # of its bars [m]
-
-    def webs(self, part: BeamResult, V: Array, *, released: bool) -> Web:
-        """Return the webs at the places, with the shear forces V (k,) [N] that they carry."""
-        d = np.minimum(*self.d)
-        return Web(V, np.abs(part.torsion), self.b, self.h, d, float((self.h - d).max()), released)
-
-    def tension(self, face: int) -> TensionZone:
-        """Return the zone in tension before it cracks, at the bottom where it sags (face 0) or at the top (1)."""
-        h, b, wide, width = self.h, self.b, max(self.compressed), self.compressed[1 - face]
-        t = np.minimum(self.flange, h)
-        A, web = wide * t + b * (h - t), b * (h - t)
-        y = (wide * t**2 / 2 + web * (h + t) / 2) / A  # of the centroid from the flange's face
-        inertia = (
-            wide * t**3 / 12 + wide * t * (y - t / 2) ** 2 + web * (h - t) ** 2 / 12 + web * ((h + t) / 2 - y) ** 2
-        )
-        of_flange = width > b
-        inside = np.minimum(t, y)
-        mean = (wide * inside + b * (y - inside)) / y if of_flange else np.full(len(h), b)
-        depth = y if of_flange else h - y
-        return TensionZone(self.d[face], inertia / depth, mean, b, width, h, depth, self.flange, self.diameter)
+@made_once
+def courses(combined: Results, steel: Reinforcement) -> list[MemberCourse]:
+    """Return what each beam of concrete, and each strip that is one, needs along it in all ultimate combinations."""
+    return [
+        course_of(results, member, steel)
+        for member in members_of(combined.model)
+        for results in ultimate_results(combined)
+    ]
 
 
 @made_once
 def beam_needs(combined: Results, steel: Reinforcement) -> list[BeamNeed]:
-    """Return what each beam of concrete needs, of all ultimate combinations the most."""
+    """Return what each beam of concrete, and each strip that is one, needs, of all ultimate combinations the most."""
     governing: list[BeamNeed] = []
-    for number, beam in enumerate(combined.model.beams):
-        if isinstance(beam.section, GivenSection):
-            continue
-        needs = [need for result in ultimate_results(combined) for need in _needs(result, number, beam, steel)]
+    for member in members_of(combined.model):
+        needs = [
+            need
+            for course in courses(combined, steel)
+            if course.member.name == member.name
+            for need in _needs(combined.results[course.combination], course, steel)
+        ]
         governing += [max(of_kind, key=lambda need: need.area) for what in WHAT
                   if (of_kind := [need for need in needs if need.what == what])]  # fmt: skip
     return governing
+
+
+def strip_areas(combined: Results, steel: Reinforcement, nodes: Array) -> dict[str, Array]:
+    """Return the bars that strips that are beams need over their width at the plate's nodes (n,) [m2/m], by layer.
+
+    At both faces half of those for torsion is among them; elsewhere they need none.
+    """
+    needs = {layer: np.zeros(len(nodes)) for layer in LAYERS}
+    for course in courses(combined, steel):
+        if isinstance(course.member, StripMember):
+            within, way = course.member.nodes(nodes)
+            for layer, area in zip(course.member.layers, course.faces, strict=True):
+                needed = np.interp(way, course.forces.way, area / course.section.b)
+                needs[layer][within] = np.maximum(needs[layer][within], needed)
+    return needs
 
 
 def error_of_need(combined: Results, steel: Reinforcement, need: BeamNeed) -> float | None:
@@ -121,64 +117,89 @@ def error_of_need(combined: Results, steel: Reinforcement, need: BeamNeed) -> fl
 
     None without a coarser mesh, or where the concrete is too weak for any number.
     """
-    number = next(number for number, beam in enumerate(combined.model.beams) if beam.name == need.beam)
+    member = next(member for member in members_of(combined.model) if member.name == need.beam)
 
     def course(mesh: CombinationResult) -> tuple[Array, Array]:
-        needs = _needs(mesh, number, combined.model.beams[number], steel)
+        needs = _needs(mesh, course_of(mesh, member, steel), steel)
         found = next(each.course for each in needs if each.what == need.what)
         assert found is not None
         return found
 
     results = combined.results[need.combination]
-    half_an_element = float(np.diff(results.beams[number].way).max())  # its places are ends and middles of sides
+    half_an_element = float(np.diff(member.forces(results).way).max())  # its places are ends and middles of sides
     return error_along(results, course, half_an_element)
 
 
-def section_forces(results: CombinationResult, beam: Beam, own: BeamResult) -> BeamResult:
-    """Return a beam with M and V of its section: of a rib with what the slab carries over the flange's width."""
-    if not isinstance(beam.section, RibSection):
-        return own
-    middle, left = _across(own, beam.section.flange_width / 2)
-    M, T = moments_across(results.plate, np.stack([middle - left, middle + left], axis=1))
-    V = np.zeros(len(M))
-    for run in _runs(own):
-        turn = _slope(np.unwrap(np.arctan2(left[run, 1], left[run, 0])), own.way[run])
-        V[run] = _slope(M[run], own.way[run]) - turn * T[run]
-    return replace(own, moment=own.moment + M, shear=own.shear + V)
+@dataclass(frozen=True, slots=True)
+class MemberCourse:
+    """What a member needs all along it in a combination: of bars at places (k,), of links and for torsion at (p,)."""
+
+    member: Member
+    combination: str
+    forces: BeamResult  # at k places
+    section: Section
+    bars: tuple[Array, Array]  # (k,) each: at the bottom and the top [m2]
+    least: tuple[Array, Array]  # (k,) each: where there is a moment of that face
+    width: tuple[Array, Array]  # (k,) each: in compression [m]
+    alone: tuple[Flags, Flags]  # (k,) each: where concrete bears it without bars in compression
+    part: BeamResult  # at p places, between d from its ends
+    at_d: Section  # there
+    webs: Web  # what links carry
+    strained: Web  # what struts bear
+    web: WebNeed
+    used: Array  # (p,): of what struts bear
+
+    @property
+    def faces(self) -> tuple[Array, Array]:
+        """Return the bars (k,) [m2] at the bottom and the top with half of those for torsion at each."""
+        of_torsion = np.interp(self.forces.way, self.part.way, self.web.along) / 2
+        return self.bars[0] + of_torsion, self.bars[1] + of_torsion
 
 
-def _runs(own: BeamResult) -> list[Integers]:
-    """Return the places between which section forces are smooth."""
-    return np.split(np.arange(len(own.way)), np.flatnonzero(np.diff(own.way) <= SAME * own.way[-1]) + 1)
-
-
-def _across(own: BeamResult, distance: float) -> tuple[Array, Array]:
-    """Return places along a beam (k, 2) [m], and vectors so long [m] to its left (k, 2).
-
-    They are off the lines at which what the slab carries may jump.
-    """
-    middle, left = own.nodes.copy(), np.zeros_like(own.nodes)
-    for run in _runs(own):
-        along = _slope(own.nodes[run], own.way[run])
-        left[run] = distance * np.column_stack([-along[:, 1], along[:, 0]]) / np.linalg.norm(along, axis=1)[:, None]
-        middle[run[[0, -1]]] += INSIDE * (middle[run[[1, -2]]] - middle[run[[0, -1]]])
-    return middle, left
-
-
-def _slope(values: Array, way: Array) -> Array:
-    """Return the derivative of values (k,) or (k, 2) along k places."""
-    slope: Array = np.gradient(values, way, axis=0, edge_order=2 if len(way) > 2 else 1)
-    return slope
-
-
-def _needs(results: CombinationResult, number: int, beam: Beam, steel: Reinforcement) -> Iterator[BeamNeed]:
-    """Yield what a beam needs at both faces and of links in a combination, each at the place of the most."""
-    forces = section_forces(results, beam, results.beams[number])
-    section = _section(results, beam, forces, steel)
+def course_of(results: CombinationResult, member: Member, steel: Reinforcement) -> MemberCourse:
+    """Return what a member needs all along it in a combination."""
+    forces = member.forces(results)
+    section = member.section(results, forces, steel)
     code, state = code_of(steel), results.limit_state
     assert code.beams is not None
     required = code.bending(steel, state).required
-    M = forces.moment
+    moments = [np.maximum(sign * forces.moment, 0.0) for sign in (1.0, -1.0)]
+    least = [np.where(m > 0, code.beams.minimum(steel, state, section.tension(face)), 0.0)
+             for face, m in enumerate(moments)]  # fmt: skip
+    bars = [_bars(required, m, section, face) for face, m in enumerate(moments)]
+    area, width, alone = zip(*bars, strict=True)
+    part = forces.between_ends(float(np.minimum(*section.d).min()))
+    at_d = member.section(results, part, steel)
+    faces = member.faces(results.model, float(forces.way[-1]))
+    V, at_faces = shear_forces(forces, part, faces, float(np.minimum(*at_d.d).max()))
+    own = member.own(results.model, part.way)
+    webs = at_d.webs(V * own, part.torsion * own, released=member.released)
+    web = code.beams.web(steel, state, webs)
+    # the shear force at a support must not exceed V_Rd,max (6.2.1(8))
+    strained = webs._replace(V=at_faces * own) if code.beams.struts_at_faces else webs
+    used = code.beams.web(steel, state, strained).used
+    wanted = tuple(np.maximum(each, at_least) for each, at_least in zip(area, least, strict=True))
+    return MemberCourse(
+        member,
+        results.combination,
+        forces,
+        section,
+        bars=(wanted[0], wanted[1]),
+        least=(least[0], least[1]),
+        width=width,
+        alone=alone,
+        part=part,
+        at_d=at_d,
+        webs=webs,
+        strained=strained,
+        web=web,
+        used=used,
+    )
+
+
+def _needs(results: CombinationResult, course: MemberCourse, steel: Reinforcement) -> Iterator[BeamNeed]:
+    """Yield what a member needs at both faces and of links in a combination, each at the place of the most."""
+    forces, part, section, web = course.forces, course.part, course.section, course.web
 
     def need(what: str, area: Array, least: Array, force: Array, ways: Array) -> tuple[BeamNeed, int]:
         wanted = np.maximum(area, least)
@@ -188,35 +209,24 @@ def _needs(results: CombinationResult, number: int, beam: Beam, steel: Reinforce
                         _place(forces, way), results.combination), most  # fmt: skip
 
     for face, (what, sign) in enumerate((("bottom", 1.0), ("top", -1.0))):
-        m = np.maximum(sign * M, 0.0)
-        area, width, alone = _bars(required, m, section, face)
-        zone = section.tension(face)
-        least = code.beams.minimum(steel, state, zone)
-        most, place = need(what, area, np.where(m > 0, least, 0.0), np.where(m > 0, M, 0.0), forces.way)
-        b, h = float(width[place]), float(section.h[place])
+        m = np.maximum(sign * forces.moment, 0.0)
+        bent = np.where(m > 0, forces.moment, 0.0)
+        most, place = need(what, course.bars[face], course.least[face], bent, forces.way)
+        b, h = float(course.width[face][place]), float(section.h[place])
         per = BarsNeeded(most.force / b, h, h - float(section.d[face][place]), most.area / b, most.least / b)
-        followed = per if m[place] > 0 and alone[place] else None
-        yield replace(most, bars=followed, width=b, zone=zone.at(place))
-    part = forces.between_ends(float(np.minimum(*section.d).min()))
-    section = _section(results, beam, part, steel)
-    faces = faces_on(results.model, beam, float(forces.way[-1]))
-    V, at_faces = shear_forces(forces, part, faces, float(np.minimum(*section.d).max()))
-    webs = section.webs(part, V, released=beam.torsion == "released")
-    web = code.beams.web(steel, state, webs)
-    # the shear force at a support must not exceed V_Rd,max (6.2.1(8))
-    strained = webs._replace(V=at_faces) if code.beams.struts_at_faces else webs
-    used = code.beams.web(steel, state, strained).used
+        followed = per if m[place] > 0 and course.alone[face][place] else None
+        yield replace(most, bars=followed, width=b, zone=section.tension(face).at(place))
     for what, area, least, carried in (
-        ("links", web.links, web.least_links, webs),
-        ("torsion", web.along, web.least_along, webs),
-        ("struts", used, np.zeros(len(used)), strained),
+        ("links", web.links, web.least_links, course.webs),
+        ("torsion", web.along, web.least_along, course.webs),
+        ("struts", course.used, np.zeros(len(course.used)), course.strained),
     ):
         most, place = need(what, area, least, np.copysign(carried.V, part.shear), part.way)
-        course = (part.way, used) if what == "struts" else None
-        yield replace(most, web=carried.at(place), torsion=float(web.torsion[place]), course=course)
-    if isinstance(beam.section, RibSection):
+        values = (part.way, course.used) if what == "struts" else None
+        yield replace(most, web=carried.at(place), torsion=float(web.torsion[place]), course=values)
+    if course.member.rib:
         share = np.interp(part.way, forces.way, _larger_side(results, forces, section))
-        yield _flange_need(results, part, section, share, steel)
+        yield _flange_need(results, part, course.at_d, share, steel)
 
 
 def _place(own: BeamResult, way: float) -> tuple[float, float]:
@@ -226,7 +236,7 @@ def _place(own: BeamResult, way: float) -> tuple[float, float]:
 
 
 def _flange_need(
-    results: CombinationResult, part: BeamResult, section: _Section, share: Array, steel: Reinforcement
+    results: CombinationResult, part: BeamResult, section: Section, share: Array, steel: Reinforcement
 ) -> BeamNeed:
     """Return what a rib needs across it for v = V / z times the share (k,) of the flange on its larger side."""
     code, state = code_of(steel), results.limit_state
@@ -244,12 +254,12 @@ def _flange_need(
                     float(stress[most]), limit, flange=flange.at(most), course=(part.way, stress))  # fmt: skip
 
 
-def _larger_side(results: CombinationResult, own: BeamResult, section: _Section) -> Array:
+def _larger_side(results: CombinationResult, own: BeamResult, section: Section) -> Array:
     """Return the share (k,) of the flange's width on the plate that lies on the side on which it reaches further."""
     near, far = section.b / 2, max(section.compressed) / 2
     if far <= near:
         return np.zeros(len(own.way))
-    middle, left = _across(own, 1.0)
+    middle, left = across(own, 1.0)
     sides = [
         length_across(results.plate, np.stack([middle + sign * near * left, middle + sign * far * left], axis=1))
         for sign in (1.0, -1.0)
@@ -257,7 +267,7 @@ def _larger_side(results: CombinationResult, own: BeamResult, section: _Section)
     return np.asarray(np.maximum(*sides) / (sides[0] + sides[1] + section.b))
 
 
-def _bars(required: Callable[..., Bending], m: Array, section: _Section, face: int) -> tuple[Array, Array, Flags]:
+def _bars(required: Callable[..., Bending], m: Array, section: Section, face: int) -> tuple[Array, Array, Flags]:
     """Return the bars in tension (k,) [m2] at a face for moments m >= 0 (k,) [N m].
 
     Also the width that counts in compression (k,) [m], and where concrete alone bears it (k,).
@@ -270,41 +280,3 @@ def _bars(required: Callable[..., Bending], m: Array, section: _Section, face: i
     area = np.where(by_flange, wide.tension * width, by_web.tension * section.b)
     alone = by_flange | ((by_web.compression == 0) & ~by_web.fails)
     return area, np.where(by_flange, width, section.b), alone
-
-
-def _section(results: CombinationResult, beam: Beam, own: BeamResult, steel: Reinforcement) -> _Section:
-    """Return the section of a beam of concrete along it; of the plate on both sides the thinner one is its flange."""
-    section = beam.section
-    assert not isinstance(section, GivenSection)
-    axes = beam.bar_axis or max(steel.bottom_axes), beam.bar_axis or max(steel.top_axes)
-    b = section.width
-    if not isinstance(section, RibSection):
-        h = np.full(len(own.way), section.height)
-        return _Section(h, b, (b, b), np.inf * h, (h - axes[0], h - axes[1]), beam.bar_diameter)
-    t = _flange(results, own)
-    width = section.flange_width
-    h = section.height + t
-    wide = (width, b) if section.side == "below" else (b, width)
-    return _Section(h, b, wide, t, (h - axes[0], h - axes[1]), beam.bar_diameter)
-
-
-def _flange(results: CombinationResult, own: BeamResult) -> Array:
-    """Return the thickness of the plate along a beam (k,) [m], of both sides the less.
-
-    Where it jumps, the first of the two places there belongs to what comes before.
-    """
-    mesh = Mesh(results.plate.nodes, results.plate.elements)
-    way = np.diff(own.nodes, axis=0)
-    length = np.linalg.norm(way, axis=1)
-    between = np.flatnonzero(length > 0)
-    middle = (own.nodes[between] + own.nodes[between + 1]) / 2
-    beside = BESIDE * np.stack([-way[between, 1], way[between, 0]], axis=1)
-    thinnest = np.full(len(length), np.inf)
-    for places in (middle + beside, middle - beside):
-        element = locate(mesh, places)[0]
-        on_mesh = element >= 0
-        own_t = np.where(on_mesh, results.elements.thickness[element], np.inf)
-        thinnest[between] = np.minimum(thinnest[between], own_t)
-    goes_on = np.append(length > 0, False)
-    after, before = np.append(thinnest, np.inf), np.insert(thinnest, 0, np.inf)
-    return np.where(goes_on, after, before)

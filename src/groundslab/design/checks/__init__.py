@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from groundslab.arrays import made_once
 from groundslab.design.checks import (
     anchorage,
+    beams,
     bearings,
     coarse_mesh,
     displacements,
@@ -53,6 +54,7 @@ CHECKS: tuple[Callable[[Results], Iterable[DesignCheck]], ...] = (
     strength.checks,
     shear.checks,
     provided.checks,
+    beams.checks,
     anchorage.checks,
     fire.checks,
     floors.checks,

@@ -12,6 +12,7 @@ from functools import partial
 import numpy as np
 
 from groundslab.design.bars import beam_bars, required_bars, wall_bars
+from groundslab.design.bars.members import members_of
 from groundslab.design.checks import pulling, punching
 from groundslab.design.codes.registry import code_of
 from groundslab.design.rules.check import GIVEN_SECTION, DesignCheck, judge_apart, not_judged, some
@@ -46,7 +47,7 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
         yield DesignCheck("piles", "not checked", "the strength of the piles themselves is not checked")
     if any(wall.height is not None for wall in combined.model.walls):
         yield from _walls(combined, code)
-    if combined.model.beams:
+    if combined.model.beams or members_of(combined.model):
         yield from _beams(combined, code)
     if without_partial_factors(combined):
         yield DesignCheck("partial factors", "attention", UNFACTORED)

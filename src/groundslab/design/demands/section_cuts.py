@@ -45,8 +45,8 @@ class StripResult:
     """A design strip: at each station the forces on the part of the cut across it that lies on the plate.
 
     The normal n of a cut points along the strip: towards +x m_n = m_x and q_n = q_x. Together with supports, the loads
-    and contact pressure ahead of the cut make up its forces: shear = int (load - p) dA and moment = int (p - load)
-    lever dA, the lever being the distance from the cut.
+    and contact pressure ahead of the cut make up its forces: shear = int (load - p) dA, moment = int (p - load)
+    lever dA, the lever being the distance from the cut, and torsion = int (p - load) e dA, e to the left of the axis.
 
     Design moments are those of Wood and Armer for reinforcement along the strip and at right angles to it, each the
     mean of the values at all points of the cut; at the bottom >= 0, at the top <= 0.
@@ -58,6 +58,8 @@ class StripResult:
     length: Array  # (c,): of the cut, on the plate [m]
     moment: Array  # (c,): int m_n ds [N m], sagging positive
     shear: Array  # (c,): int q_n ds [N]
+    torsion: Array  # (c,): int (m_nt - q_n e) ds about the axis, e to its left [N m]
+    settlement: Array  # (c,): mean over the cut [m]
     mean_moment: Array  # (c,) [N m/m]
     mean_shear: Array  # (c,) [N/m]
     largest: Array  # (c,): the largest m_n on the cut [N m/m]
@@ -125,14 +127,15 @@ def strip(
     points = _Cut.of(plate, np.stack([centers - width / 2 * across, centers + width / 2 * across], axis=1))
     gauss_leg, edge_leg = (points.line.leg[piece] for piece in (points.gauss[0], points.edges[0]))
     m_n, m_t, m_nt, q_n = points.forces(points.gauss)
-    at_edges = points.forces(points.edges)[0]
+    at_edges, w = points.forces(points.edges)[0], points.settlement(points.gauss)
+    e = points.gauss[1] - points.line.start[gauss_leg] - width / 2
     design = wood_armer(m_n, m_t, m_nt)
     for station in np.unique(gauss_leg):
         on = gauss_leg == station
         ds = points.ds[on]
         everywhere = np.concatenate([m_n[on], at_edges[edge_leg == station]])
-        totals = [float(ds @ field[on]) for field in (m_n, q_n)]
-        means = [float(ds @ field[on]) / ds.sum() for field in (m_n, q_n)]
+        totals = [float(ds @ field[on]) for field in (m_n, q_n, m_nt - q_n * e)]
+        means = [float(ds @ field[on]) / ds.sum() for field in (w, m_n, q_n)]
         wood = (design.bottom_x, design.top_x, design.bottom_y, design.top_y)
         designed = [float(ds @ field[on]) / ds.sum() for field in wood]
         rows.append([ds.sum(), *totals, *means, everywhere.max(), everywhere.min(), *designed])
@@ -191,6 +194,11 @@ class _Cut:
         numbers = np.arange(len(line.low))
         edges = np.tile(numbers, 3), np.concatenate([line.low, line.high, (line.low + line.high) / 2])
         return cls(plate, mesh, line, (piece, s), ds, edges)
+
+    def settlement(self, at: tuple[Integers, Array]) -> Array:
+        """Return the settlement [m] at piece and s (k,)."""
+        nodes, N = interpolation(self.mesh, self.line, *at)
+        return np.asarray(np.einsum("pa,pa->p", N, self.plate.settlement[nodes]))
 
     def forces(self, at: tuple[Integers, Array]) -> tuple[Array, Array, Array, Array]:
         """Return m_n, m_t, m_nt [N m/m] and q_n [N/m] at piece and s (k,), n to the right of t, the way of the leg."""

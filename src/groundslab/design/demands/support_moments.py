@@ -273,7 +273,8 @@ class _Builder:
         nodes = self.mesh.nodes
         left = np.ones(len(nodes), dtype=bool)
         asked, of_area = list[_Asked](), list[int]()
-        strips = [strip for strip in model.output.strips if rule.by == "strip" and along_axis(strip) == self.axis]
+        strips = [strip for strip in model.output.strips
+                  if (rule.by == "strip" or strip.design == "beam") and along_axis(strip) == self.axis]  # fmt: skip
         groups: list[list[tuple[int, _Asked]]] = [
             [(-1, lines) for strip in strips for lines in [self._strip(strip.start, strip.end, strip.width, areas)]],
             [

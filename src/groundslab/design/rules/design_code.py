@@ -217,6 +217,11 @@ class BeamRule:
         The shear between web and flange.
     cracks : callable
         Of materials: what of the cracks of beams is not designed here; empty where nothing is asked of them.
+    link_distances : callable or None
+        Of materials, a limit state, webs (k,) and the share used of what their struts bear: how far links, and legs of
+        a link, may be from each other (k,) [m]; None where the code's rule is not known here.
+    distance_clauses : str
+        Where it rules these.
     """
 
     minimum: Callable[[Reinforcement, str, TensionZone], Array]
@@ -229,6 +234,8 @@ class BeamRule:
     struts_at_faces: bool
     flange: FlangeRule
     cracks: Callable[[Reinforcement], str]
+    link_distances: Callable[[Reinforcement, str, Web, Array], tuple[Array, Array]] | None = None
+    distance_clauses: str = ""
 
 
 @dataclass(frozen=True, slots=True)

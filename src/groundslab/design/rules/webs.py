@@ -5,7 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from groundslab.arrays import Array, Flags
+import numpy as np
+
+from groundslab.arrays import Array, Flags, Integers
 from groundslab.design.rules.calculation import MEGA, Step
 
 
@@ -66,6 +68,11 @@ class WebNeed(NamedTuple):
     least_along: Array  # (k,) [m2]
     used: Array  # (k,): of what the concrete bears, by shear and torsion together
     torsion: Array  # (k,): torsional moment that counts [N m]
+    closed: Array  # (k,): of the links, what both outer legs need for torsion; more legs do not help them [m2/m]
+
+    def links_of(self, legs: Integers) -> Array:
+        """Return the links (k,) [m2/m] with numbers of legs (k,), of which the outer ones bear torsion."""
+        return np.asarray(self.links + (legs / 2 - 1) * self.closed)
 
 
 def force_steps(web: Web, symbols: tuple[str, str]) -> Iterator[Step]:

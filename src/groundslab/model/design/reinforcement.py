@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Iterator
 from typing import Annotated, ClassVar, Literal, get_args
 
 from groundslab.model.design.averaging import Averaging, along_axis
 from groundslab.model.design.bars import OTHER_MESH, Bars, BarZone, Layer, MeshName, bars_of_mesh
+from groundslab.model.design.beam_links import BeamLinks
 from groundslab.model.design.detailing import AllowedBars, Detailing
 from groundslab.model.design.punching_links import PunchingLinks
 from groundslab.model.ground import POSITIVE
@@ -17,6 +19,7 @@ from groundslab.model.plate import Plate
 from groundslab.model.plates.other_plates import FurtherPlate, list_plates
 from groundslab.model.plates.region import PlateRegion
 from groundslab.model.shapes import CHORD
+from groundslab.model.structure.beams import Beam, GivenSection
 from groundslab.model.structure.beta import Beta, beta_field
 from groundslab.model.structure.columns import Column
 from groundslab.model.structure.wall_ends import wall_ends
@@ -35,6 +38,8 @@ CONCRETE, STEEL = Range(at_least=12e6, at_most=90e6), Range(at_least=400e6, at_m
 #: Grades 40 to 100 (ACI 318-19 Table 20.2.2.4(a)); by EN 1992-1-1 f_yk is that of STEEL (3.2.2(3)).
 ANY_STEEL = Range(at_least=276e6, at_most=690e6)
 PARTIAL = Range(at_least=0.1, at_most=10)
+#: What is longer by such a share is as long.
+ROUNDING = 1e-9
 AGGREGATE = Range(at_least=1e-3, at_most=0.15)
 CRACK = Range(at_least=5e-5, at_most=1e-3)
 #: Concrete with finer aggregates is beyond EN 1992-1-1:2023 (1.1(3)).
@@ -338,6 +343,9 @@ class Reinforcement(Section):
     links: Annotated[
         tuple[PunchingLinks, ...], Table("links against punching, to be checked; propose-bars writes them")
     ] = ()
+    beam_links: Annotated[
+        tuple[BeamLinks, ...], Table("links of beams and of strips that are beams, to be checked")
+    ] = ()
     averaging: Annotated[
         Averaging, Table("which moments bars are for at supports: means over a width, those at faces, or peaks")
     ] = Averaging()
@@ -358,6 +366,10 @@ class Reinforcement(Section):
     restraint: Annotated[
         Restraint | None, Table("restrained shortening of the slab, which bars at both faces must bear as it cracks")
     ] = None
+
+    def links_along(self, name: str) -> tuple[BeamLinks, ...]:
+        """Return the links along a beam or a strip that is one."""
+        return tuple(links for links in self.beam_links if links.of == name)
 
     def links_at(self, name: str) -> PunchingLinks | None:
         """Return the links around what has a name; None if none are given."""
@@ -484,17 +496,53 @@ def check_links(
             yield RelativeIssue(place, quote(links.of), expected, suggestion(links.of, known))
 
 
-def check_strips(reinforcement: Reinforcement | None, output: Output) -> Iterator[RelativeIssue]:
-    """Find that bars are to be designed by strips where there are none along x or y."""
-    if reinforcement is None or reinforcement.averaging.by != "strip":
+def check_strips(
+    reinforcement: Reinforcement | None, output: Output, beams: tuple[Beam, ...]
+) -> Iterator[RelativeIssue]:
+    """Find strips that bars cannot be designed by, as they run along neither x nor y or have the name of a beam."""
+    if reinforcement is None:
         return
-    place = ("reinforcement", "averaging", "by")
-    if not output.strips:
+    by_strip = reinforcement.averaging.by == "strip"
+    if by_strip and not output.strips:
+        place = ("reinforcement", "averaging", "by")
         yield RelativeIssue(place, '"strip" without strips', "strips in output.strips", 'or "element"')
+    names = {beam.name for beam in beams}
     for position, strip in enumerate(output.strips):
+        if not by_strip and strip.design == "plate":
+            continue
+        where = ("output", "strips", position)
         if along_axis(strip) is None:
-            expected, hint = "one along x or along y", "bars are designed by strips (reinforcement.averaging.by)"
-            yield RelativeIssue(("output", "strips", position), "a strip at an angle to the bars", expected, hint)
+            why = 'design = "beam"' if strip.design == "beam" else "reinforcement.averaging.by"
+            expected, hint = "one along x or along y", f"bars are designed by strips ({why})"
+            yield RelativeIssue(where, "a strip at an angle to the bars", expected, hint)
+        if strip.design == "beam" and strip.name in names:
+            yield RelativeIssue((*where, "name"), f"{quote(strip.name)}, the name of a beam", "another name")
+
+
+def check_beam_links(
+    reinforcement: Reinforcement | None, output: Output, beams: tuple[Beam, ...]
+) -> Iterator[RelativeIssue]:
+    """Find links of beams that are not there, beyond their ends, or twice at one place."""
+    if reinforcement is None or not reinforcement.beam_links:
+        return
+    lengths = {beam.name: beam.length for beam in beams if not isinstance(beam.section, GivenSection)}
+    lengths |= {strip.name: math.dist(strip.start, strip.end) for strip in output.strips if strip.design == "beam"}
+    parts = dict[str, list[tuple[float, float]]]()
+    for position, links in enumerate(reinforcement.beam_links):
+        place = ("reinforcement", "beam_links", position)
+        length = lengths.get(links.of)
+        if length is None:
+            expected = 'the name of a beam of concrete, or of a strip with design = "beam"'
+            yield RelativeIssue((*place, "of"), quote(links.of), expected, suggestion(links.of, list(lengths)))
+            continue
+        end = length if links.end is None else links.end
+        for key, way in (("start", links.start), ("end", end)):
+            if way > length * (1 + ROUNDING):
+                yield RelativeIssue((*place, key), f"{way!r} m", f"at most {length!r} m, where {links.of} ends")
+        if any(links.start < high and end > low for low, high in parts.get(links.of, ())):
+            found = f"links of {quote(links.of)} at a place that has some"
+            yield RelativeIssue(place, found, "parts that do not overlap", "start and end bound them")
+        parts.setdefault(links.of, []).append((links.start, end))
 
 
 #: Carrying (R), and separating besides (E and I), for so many minutes.

@@ -35,6 +35,9 @@ if TYPE_CHECKING:
 VARIABLE = re.compile(r"(Q|live|imposed|variable|traffic|wind|snow)([ _-]?loads?)?[ _-]?\d*", re.IGNORECASE)
 #: Boreholes further off the plates than this share of their longer side are remarked on.
 FAR_BOREHOLE = 0.1
+#: A slab is at least so many times as wide as it is thick (EN 1992-1-1 5.3.1(4)); what is narrower and whose area is so
+#: many times that of a square as wide consists of strips.
+WIDE, LONG = 5.0, 4.0
 #: So many combinations that repeat others are named.
 MOST_NAMED = 3
 
@@ -103,6 +106,7 @@ def find_remarks(model: Model, combinations: Sequence[Combination] | None = None
         *_on_patterns(model),
         *_on_moves(model),
         *_on_boreholes(model),
+        *_on_strips(model),
         *(Remark(*unusual) for unusual in unusual_quantities(model)),
         *_on_repeated(model, uses, combinations),
         *_on_combine(model, uses, combinations),
@@ -193,6 +197,26 @@ def _on_columns(model: Model) -> Iterator[Remark]:
     """Yield the columns that stand in each other."""
     for words in overlapping_columns(model.columns):
         yield Remark(("columns",), words)
+
+
+def _on_strips(model: Model) -> Iterator[Remark]:
+    """Yield the remark that a slab consists of strips none of which is designed as a beam."""
+    from shapely import get_parts, maximum_inscribed_circle
+
+    if model.reinforcement is None or any(strip.design == "beam" for strip in model.output.strips):
+        return
+    region = get_plate_region(model.plate, model.plates)
+    thickest = max(plate.thickness for plate in model.every_plate)
+    for part in get_parts(region.area):
+        width = 2 * maximum_inscribed_circle(part, tolerance=0.01 * thickest).length
+        if width <= WIDE * thickest and part.area >= LONG * width**2:
+            words = Message(
+                "the slab is nowhere wider than {width:.3g m}, {times:.2g} times its thickness: strips that bend as "
+                'beams; those in output.strips with design = "beam" are designed as such',
+                width=width, times=width / thickest,
+            )  # fmt: skip
+            yield Remark(("plate",), words)
+            return
 
 
 def _on_spans(model: Model) -> Iterator[Remark]:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from groundslab.design.bars.members import member_forces
 from groundslab.messages import Message, Name
 from groundslab.unit_systems import in_system, unit_in
 from groundslab.units import UNITS
@@ -63,7 +64,7 @@ def curves_along(request: PlotRequest) -> list[BeamCurves]:
     names = tuple(Name(combination.name) for combination in request.combinations)
     band = bool(request.envelope) or len(names) > len(style.CYCLE)
     found, units = [], request.combined.model.units
-    for beams in zip(*(combination.results.beams for combination in request.combinations), strict=True):
+    for beams in zip(*(member_forces(combination.results) for combination in request.combinations), strict=True):
         values = {
             name: np.stack([getattr(beam, name) for beam in beams]) * in_system(UNITS[unit], units).scale
             for name, _, unit, _ in DRAWN

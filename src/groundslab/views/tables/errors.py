@@ -29,7 +29,7 @@ VALUES: dict[str, tuple[str, ...]] = {
     "soil": ("settlement w", "vertical stress sigma_z"),
     "lines": _QUANTITIES,
     "strips": (
-        "moment", "shear", "mean moment", "mean shear", "greatest moment", "least moment",
+        "moment", "shear", "torsional moment", "mean moment", "mean shear", "greatest moment", "least moment",
         "design moment bottom along", "design moment top along", "design moment bottom across",
         "design moment top across", "moment of beams", "shear of beams",
     ),

@@ -101,7 +101,8 @@ def strips(combined: Results) -> Table:
     """Return the forces on the cuts across each design strip in each combination."""
     heads = [
         ("combination", ""), ("strip", ""), ("s", "m"), ("x", "m"), ("y", "m"), ("width on the plate", "m"),
-        ("moment", "kNm"), ("shear", "kN"), ("mean moment", "kNm/m"), ("mean shear", "kN/m"),
+        ("moment", "kNm"), ("shear", "kN"), ("torsional moment", "kNm"),
+        ("mean moment", "kNm/m"), ("mean shear", "kN/m"),
         ("greatest moment", "kNm/m"), ("least moment", "kNm/m"),
         ("design moment bottom along", "kNm/m"), ("design moment top along", "kNm/m"),
         ("design moment bottom across", "kNm/m"), ("design moment top across", "kNm/m"),
@@ -117,7 +118,7 @@ def strips(combined: Results) -> Table:
             except InputError:
                 missed.append(output.name)
                 continue
-            forces = [f.moment, f.shear, f.mean_moment, f.mean_shear, f.largest, f.least]
+            forces = [f.moment, f.shear, f.torsion, f.mean_moment, f.mean_shear, f.largest, f.least]
             design = [f.bottom, f.top, f.bottom_across, f.top_across]
             beams = _of_beams(results, output, f.s).T if members else ()
             fields = (*forces, *design, *beams)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import cache, partial
 
+from groundslab.design.bars.members import beam_strips, members_of
 from groundslab.design.bars.proposal.links import punching_links
 from groundslab.design.checks import check_design
 from groundslab.design.codes.registry import code_of
@@ -14,7 +15,6 @@ from groundslab.design.demands.zones.thicker_zones import zone_forces
 from groundslab.design.rules.wall_ends import loaded_ends
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.model.ground import ContinuousGround
-from groundslab.model.structure.beams import GivenSection
 from groundslab.results.results import Results
 from groundslab.schema.issues import require
 from groundslab.unit_systems import System
@@ -125,7 +125,7 @@ def _makers(combined: Results) -> dict[str, Callable[[], Table]]:
         "supports": (model.supports, support_table),
         "joints": (model.joints, joint_table),
         "walls": (model.walls, wall_table),
-        "beams": (model.members, beam_table),
+        "beams": (model.members or beam_strips(model), beam_table),
         "building": (model.building, building_table),
     }
     makers |= {name: partial(errors.with_errors, make, combined) for name, (asked, make) in wanted.items() if asked}
@@ -153,9 +153,7 @@ def _of_reinforcement(combined: Results, steel: Reinforcement) -> dict[str, Call
     wanted = {
         "reinforcement": (True, reinforcement),
         "support_moments": (steel.averaging.at_columns != "peak" and has_support_areas(model), support_moments),
-        "beam_reinforcement": (
-            any(not isinstance(beam.section, GivenSection) for beam in model.beams), beam_reinforcement,
-        ),
+        "beam_reinforcement": (bool(members_of(model)), beam_reinforcement),
         "wall_reinforcement": (
             code_of(steel).walls and any(wall.height is not None for wall in model.walls), wall_reinforcement,
         ),

@@ -10,6 +10,8 @@ from functools import cache, partial
 import numpy as np
 
 from groundslab.arrays import Array
+from groundslab.design.bars.beam_bars import strip_areas
+from groundslab.design.bars.proposal.beam_links import beam_links
 from groundslab.design.bars.proposal.layer_bars import LayerProposal, LayerTask, propose_layer
 from groundslab.design.bars.proposal.links import punching_links
 from groundslab.design.bars.proposal.plan_grid import CellValues, PlanGrid, locate_cells, make_grid
@@ -23,6 +25,7 @@ from groundslab.design.rules.punching_links.layout import LinkLayout
 from groundslab.errors import GroundslabError, InputError, Issue
 from groundslab.messages import Message
 from groundslab.model.design.bars import BarZone
+from groundslab.model.design.beam_links import BeamLinks
 from groundslab.model.design.detailing import Detailing, allowed_bars
 from groundslab.model.design.laid_bars import axis_of, bar_area, laid_bars, polygon_of
 from groundslab.model.design.punching_links import PunchingLinks
@@ -206,9 +209,10 @@ def _requirements(results: Results, steel: Reinforcement) -> dict[str, Array]:
     plate = ultimate_results(results)[0].plate
     rule = code_of(steel).detailing
     assert rule is not None
+    of_strips = strip_areas(results, steel, plate.nodes)
     needs = {}
     for layer in LAYERS:
-        needs[layer] = largest_areas(required, layer)[0]
+        needs[layer] = np.maximum(largest_areas(required, layer)[0], of_strips[layer])
         if np.isinf(needs[layer]).any():
             _refuse(layer, needs[layer], plate.nodes, steel, rule)
     for result in ultimate_results(results):
@@ -338,7 +342,8 @@ def _with_bars(steel: Reinforcement, layers: dict[str, LayerProposal], grid: Pla
             assert steel.cover is not None
             changes[face] = axes_by_cover(steel.cover[face == "top"], steel.outer, *thickest)
     detailing = steel.detailing or Detailing()
-    cleared = {"bottom_mesh": None, "top_mesh": None, "zones": tuple(zones), "links": (), "detailing": detailing}
+    cleared = {"bottom_mesh": None, "top_mesh": None, "zones": tuple(zones), "links": (), "detailing": detailing,
+               "beam_links": ()}  # fmt: skip
     return steel.model_copy(update=changes | cleared)
 
 
@@ -374,7 +379,10 @@ def _proposal(results: Results, found: Reinforcement, needs: dict[str, Array], r
         for layout in links
         if layout.perimeters
     ]
-    with_links = found.model_copy(update={"links": tuple(given), "proposal": steel.proposal})
+    along = list(beam_links(replace(results, model=model), found.proposal.link_diameters))
+    remarks = remarks + [why for why in along if isinstance(why, Message)]
+    of_beams = tuple(links for links in along if isinstance(links, BeamLinks))
+    with_links = found.replace(links=tuple(given), beam_links=of_beams, proposal=steel.proposal)
     model = model.model_copy(update={"reinforcement": with_links})
     return BarProposal(model, required, laid, tuple(links), tuple(remarks))
 

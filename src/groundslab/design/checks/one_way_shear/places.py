@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from groundslab.arrays import Array, Flags, Integers
+from groundslab.design.bars.members import beam_strips
 from groundslab.design.bars.required_bars import largest_areas, required_areas
 from groundslab.design.checks.one_way_shear.faces import Bearer, pressing, region_within_d, webs_of
 from groundslab.design.checks.one_way_shear.necks import is_beside
@@ -22,6 +23,7 @@ from groundslab.design.demands.zones.thicker_zones import SAME
 from groundslab.design.rules.design_code import ShearRule
 from groundslab.design.rules.wide_beam import Cut
 from groundslab.fem.mesh import Mesh
+from groundslab.model.design.averaging import along_axis
 from groundslab.model.design.floors import TR34Floor
 from groundslab.model.design.laid_bars import laid_bars
 from groundslab.model.design.reinforcement import Reinforcement
@@ -51,6 +53,7 @@ class Places:
     thickness: Array  # (k,) [m]
     ratios: Mapping[str, Array]  # (k,): bars over the depth, by layer
     counts: Flags  # (k,): whether one-way shear is checked there
+    of_plate: Flags  # (k, 2): whether shear along x and along y is the plate's, not that of a strip that is a beam
 
     def forces(self, plate: PlateResult, elements: ElementResult) -> dict[str, Array]:
         """Return moments [N m/m] and shear forces [N/m] by the names of FORCES, (k,) each."""
@@ -58,7 +61,8 @@ class Places:
         inside = {name: getattr(elements, name)[self.element] for name in ("shear_x", "shear_y")}
         size, its = (np.hypot(vector["shear_x"], vector["shear_y"]) for vector in (forces, inside))
         larger = (self.element >= 0) & (its > size)
-        return forces | {name: np.where(larger, values, forces[name]) for name, values in inside.items()}
+        shear = {name: np.where(larger, values, forces[name]) for name, values in inside.items()}
+        return forces | {name: values * own for (name, values), own in zip(shear.items(), self.of_plate.T, strict=True)}
 
     def mean(self, values: Array) -> Array:
         """Return nodal values (n,) at the places (k,)."""
@@ -154,7 +158,8 @@ def nodes_of(steel: Reinforcement, rule: ShearRule, results: list[CombinationRes
     numbers = np.arange(len(d))
     counts = _counts(results[0], plate.nodes, d, thickness)
     ones = np.ones((len(d), 1))
-    return Places(plate.nodes, numbers[:, None], ones, np.full(len(d), -1), d, thickness, ratios, counts)
+    own = _of_plate(results[0], plate.nodes)
+    return Places(plate.nodes, numbers[:, None], ones, np.full(len(d), -1), d, thickness, ratios, counts, own)
 
 
 def _on_border(
@@ -182,7 +187,24 @@ def _on_border(
     meets = np.zeros(len(mesh.elements), dtype=bool)
     meets[STRtree(_polygons(mesh)).query(shapes, predicate="intersects")[1]] = True
     element = np.where(meets[line.element[piece]], line.element[piece], -1)
-    return Places(xy, nearest, weights, element, d, thickness, ratios, _counts(results, xy, d, thickness))
+    counts, own = _counts(results, xy, d, thickness), _of_plate(results, xy)
+    return Places(xy, nearest, weights, element, d, thickness, ratios, counts, own)
+
+
+def _of_plate(results: CombinationResult, xy: Array) -> Flags:
+    """Return at which places (k, 2) shear along x and along y is the plate's, not that of a strip that is a beam."""
+    from shapely import covers, points
+
+    own = np.ones((len(xy), 2), dtype=bool)
+    for strip in beam_strips(results.model):
+        own[covers(strip.area(), points(xy)), along_axis(strip)] = False
+    return own
+
+
+def is_of_beam(results: CombinationResult, cut: Cut) -> bool:
+    """Return whether the shear force over a cut is that of a strip that is a beam."""
+    n_x, n_y = _of_plate(results, np.array([cut.place]))[0]
+    return bool(not n_x if abs(cut.normal[0]) > abs(cut.normal[1]) else not n_y)
 
 
 def _legs_of(line: BaseGeometry) -> list[Array]:

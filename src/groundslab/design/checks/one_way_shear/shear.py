@@ -11,6 +11,8 @@ struts may fail by EN 1992-1-1. Beside columns means over cuts across the slab, 
 (`basis/wide_beam`): by ACI 318 at all of them, by the others where no other column shares the cut, as on pads and
 strips. So are means over cuts across necks of the slab, as between two openings, at d from what bears there (`necks`).
 
+Along strips that are beams the shear force is theirs, and what is judged here is that across them.
+
 On ground with shear the line force along the slab's edge takes off shear forces beside it. The worse of both counts:
 with it at the edge, and with it as pressure over a strip (`edge_strip`), unless the case lets it relieve.
 """
@@ -27,7 +29,14 @@ from groundslab.accuracy.values import reduction_of
 from groundslab.arrays import Array
 from groundslab.design.checks.one_way_shear.faces import bearers
 from groundslab.design.checks.one_way_shear.necks import neck_cuts
-from groundslab.design.checks.one_way_shear.places import FORCES, Places, ShearPlaces, near_forces, nodes_of
+from groundslab.design.checks.one_way_shear.places import (
+    FORCES,
+    Places,
+    ShearPlaces,
+    is_of_beam,
+    near_forces,
+    nodes_of,
+)
 from groundslab.design.codes.registry import code_of
 from groundslab.design.demands.design_moments import principal_shear, ratio_along
 from groundslab.design.demands.edge_strip import plates_that_count, spread_edge_force
@@ -64,10 +73,11 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
     nodes = nodes_of(steel, rule, results)
     punched = punched_names(combined, code.punching.demands) if steel.links and code.punching is not None else ()
     links = {given.of: given.distances[-1] for given in steel.links if given.of in punched}
-    necks = neck_cuts(results[0], nodes.thickness)
+    necks = [cut for cut in neck_cuts(results[0], nodes.thickness) if not is_of_beam(results[0], cut)]
     places = ShearPlaces(nodes, bearers(model), punching, reach, necks, links, rule.beyond_links)
     demands = [demand for result in results for demand in _of_combination(result, places, steel, rule)]
-    beside = [] if rule.cuts is None else list(rule.cuts(results[0], steel))
+    cuts = [] if rule.cuts is None else rule.cuts(results[0], steel)
+    beside = [cut for cut in cuts if not is_of_beam(results[0], cut)]
     demands += [demand for result in results for demand in _across(result, places, steel, rule, beside)]
     if demands:
         yield _check(steel, code, rule, max(demands, key=lambda demand: demand.used))

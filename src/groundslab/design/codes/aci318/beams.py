@@ -38,6 +38,8 @@ from groundslab.design.rules.webs import Flange, Web, WebNeed, force_steps
 from groundslab.model.design.reinforcement import Reinforcement
 
 _MPA = 1e6
+#: V_s over (f'c)^(1/2) b_w d from which links are half as far apart, and how far they are at most [m] (9.7.6.2.2).
+SHARP, FARTHEST = 0.33, 0.6
 #: The largest f_y that counts in the least bars [Pa].
 MOST_F_Y = 550 * _MPA
 #: Friction of concrete cast at once (Table 22.9.4.2), and the largest f_y of bars across (Table 20.2.2.4(a)) [Pa].
@@ -124,7 +126,17 @@ def web(steel: Reinforcement, _: str, webs: Web) -> WebNeed:
     least_along = np.where(T > 0, np.maximum(least_along, 0.0), 0.0)
     links, along = np.maximum(of_shear + 2 * leg, least), np.maximum(along, least_along)
     links, along = (np.where(used > 1, np.inf, values) for values in (links, along))
-    return WebNeed(links, least, along, least_along, used, T)
+    return WebNeed(links, least, along, least_along, used, T, np.where(used > 1, 0.0, 2 * leg))
+
+
+def link_distances(steel: Reinforcement, _: str, webs: Web, _used: Array) -> tuple[Array, Array]:
+    """Return how far links, and legs across, may be from each other (k,) [m]: Table 9.7.6.2.2, 9.7.6.3.3."""
+    concrete, p_h = materials(steel)[0], _areas(webs)[2]
+    of_links = webs.V / PHI_SHEAR - shear.WITH_LINKS * concrete.root * webs.b * webs.d
+    half = np.where(of_links > SHARP * concrete.root * webs.b * webs.d, 0.5, 1.0)
+    along, across = half * np.minimum(webs.d / 2, FARTHEST), half * np.minimum(webs.d, FARTHEST)
+    of_torsion = np.minimum(p_h / 8, FARTHEST / 2)
+    return np.where(_threshold(steel, webs) < webs.T, np.minimum(along, of_torsion), along), across
 
 
 def _areas(webs: Web) -> tuple[Array, Array, Array]:

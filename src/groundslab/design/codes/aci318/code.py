@@ -84,6 +84,8 @@ ACI318 = DesignCode(
         struts_at_faces=False,
         flange=FlangeRule(beams.flange_bars, beams.flange_limit, "22.9", beams.flange_steps),
         cracks=beams.cracks,
+        link_distances=beams.link_distances,
+        distance_clauses="9.7.6.2.2, 9.7.6.3.3",
     ),
     walls=WallRule(walls.least, walls.most, "9.9.2.1, 9.9.3.1"),
     bars=bars.checks,

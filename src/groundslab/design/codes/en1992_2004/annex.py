@@ -60,6 +60,9 @@ class Annex:
     c_min_dur: Mapping[str, float]
     delta_c_dev: tuple[float, float]
     beam_links: tuple[float, float]
+    link_distances: tuple[tuple[float, float, float], ...]
+    leg_distances: tuple[tuple[float, float, float], ...]
+    link_distances_by_height: bool
     slab_links: float
     lap: tuple[float, float]
     cover_relieves: bool

@@ -194,10 +194,29 @@ def web(steel: Reinforcement, limit_state: str, webs: Web) -> WebNeed:
     concrete, bars = materials(steel, limit_state)
     tube, z = Tube.of(webs), shear.lever(concrete, webs.d, largest_cover(steel))
     tau, v, struts = tube.stress(webs.T), _shear_of_both(steel, concrete, webs), _struts(steel, limit_state, webs)
-    links = np.where(struts.fails, np.inf, (webs.V / z + 2 * tube.wall * tau) / (bars.f_yd * struts.cot_theta))
+    closed = np.where(struts.fails, 0.0, 2 * tube.wall * tau / (bars.f_yd * struts.cot_theta))
+    links = np.where(struts.fails, np.inf, webs.V / z / (bars.f_yd * struts.cot_theta) + closed)
     along = np.where(struts.fails, np.inf, tau * tube.wall * tube.length * struts.cot_theta / bars.f_yd)
     least = np.full(len(v), shear.minimum_beam_links(concrete, bars) * webs.b)
-    return WebNeed(np.maximum(links, least), least, along, np.zeros(len(v)), 2 * v / (z * concrete.strut), webs.T)
+    used = 2 * v / (z * concrete.strut)
+    return WebNeed(np.maximum(links, least), least, along, np.zeros(len(v)), used, webs.T, closed)
+
+
+def link_distances(steel: Reinforcement, limit_state: str, webs: Web, used: Array) -> tuple[Array, Array]:
+    """Return how far links, and legs across, may be from each other (k,) [m]: 9.2.2(6), 9.2.2(8), 9.2.3(3).
+
+    By the share (k,) that is used of what struts bear.
+    """
+    annex = materials(steel, limit_state)[0].annex
+    depth = webs.h if annex.link_distances_by_height else webs.d
+    up_to = np.array([row[0] for row in annex.link_distances])
+    row = np.searchsorted(up_to, np.minimum(used, up_to[-1]))
+    along, across = (
+        np.minimum(rows[row, 1] * depth, rows[row, 2])
+        for rows in (np.array(annex.link_distances), np.array(annex.leg_distances))
+    )
+    of_torsion = np.minimum((webs.b + webs.h) / 4, np.minimum(webs.b, webs.h))
+    return np.where(webs.T > 0, np.minimum(along, of_torsion), along), across
 
 
 def _shear_of_both(steel: Reinforcement, concrete: Concrete, webs: Web) -> Array:

@@ -90,11 +90,13 @@ def web(steel: Reinforcement, limit_state: str, webs: Web) -> WebNeed:
     tube = Tube.of(webs)
     tau, z, struts = tube.stress(webs.T), LEVER * webs.d, _struts(steel, limit_state, webs)
     used = 2 * (webs.V / (webs.b * z) + tau) / concrete.strut
-    links = webs.V / (z * bars.f_yd * struts.cot_theta) + 2 * tube.wall * tau / bars.f_yd
+    closed = 2 * tube.wall * tau / bars.f_yd
+    links = webs.V / (z * bars.f_yd * struts.cot_theta) + closed
     along = tau * tube.wall * tube.length / bars.f_yd
     links, along = (np.where(struts.fails, np.inf, values) for values in (links, along))
     least = np.full(len(used), shear.minimum_links(concrete, bars) * webs.b)
-    return WebNeed(np.maximum(links, least), least, along, np.zeros(len(used)), used, webs.T)
+    return WebNeed(np.maximum(links, least), least, along, np.zeros(len(used)), used, webs.T,
+                   np.where(struts.fails, 0.0, closed))  # fmt: skip
 
 
 def _struts(steel: Reinforcement, limit_state: str, webs: Web) -> Links:

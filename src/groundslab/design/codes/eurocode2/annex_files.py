@@ -53,4 +53,4 @@ def values_of(parameters: Table) -> dict[str, Any]:
 
 def _frozen(value: Any) -> Any:
     """Return a list of a file as a tuple, anything else as it is."""
-    return tuple(value) if isinstance(value, list) else value
+    return tuple(map(_frozen, value)) if isinstance(value, list) else value

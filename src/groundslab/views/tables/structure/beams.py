@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from groundslab.design.bars.beam_bars import BeamNeed, beam_needs
+from groundslab.design.bars.members import beam_strips, member_forces
 from groundslab.design.codes.registry import code_of
 from groundslab.design.rules.combinations import solved_results
 from groundslab.messages import Clause, Message, Name
@@ -25,6 +26,14 @@ _NOTES = (
     "Shear forces and torsional moments are the largest in size one thickness of the plate away from the beam's ends, "
     "where forces pass from the beam into the plate.",
 )
+_NOTE_ON_STRIPS = (
+    "Those of strips that are designed as beams are the plate's own over their width, without beams and walls on them."
+)
+_STRIPS_NEED = (
+    "Bars of strips that are beams are the slab's own, over the strip's width: those along it bear its moments, within "
+    "the faces of columns those at the faces, and half of the bars for torsion at each face; links stand across it. "
+    "Where strips cross, shear and torsion count up to the other one's edge."
+)
 #: Of eccentric beams.
 _OF_AXIAL = (("greatest axial force", "kN"), ("least axial force", "kN"))
 _NOTE_ON_AXIAL = (
@@ -39,17 +48,18 @@ def beam_table(combined: Results) -> Table:
     rows = [
         [results.combination, beam.name, float(beam.way[-1]), *_figures(beam, away)]
         for results in solved_results(combined)
-        for beam in results.beams
+        for beam in member_forces(results)
     ]
+    notes = (*_NOTES, _NOTE_ON_STRIPS) if beam_strips(combined.model) else _NOTES
     if not any(beam.eccentric for beam in combined.model.members):
-        return table_of("beams", "Beams", _HEADS, rows, _NOTES)
+        return table_of("beams", "Beams", _HEADS, rows, notes)
     axial = [
         [beam.axial.max() / 1e3, beam.axial.min() / 1e3]
         for results in solved_results(combined)
-        for beam in (each.between_ends(0.0) for each in results.beams)
+        for beam in (each.between_ends(0.0) for each in member_forces(results))
     ]
     rows = [[*row, *own] for row, own in zip(rows, axial, strict=True)]
-    return table_of("beams", "Beams", (*_HEADS, *_OF_AXIAL), rows, (*_NOTES, _NOTE_ON_AXIAL))
+    return table_of("beams", "Beams", (*_HEADS, *_OF_AXIAL), rows, (*notes, _NOTE_ON_AXIAL))
 
 
 def _figures(beam: BeamResult, away: float) -> list[Cell]:
@@ -92,8 +102,9 @@ def beam_reinforcement(combined: Results, steel: Reinforcement) -> Table:
     )
     words = code.beams.cracks(steel)
     of_cracks = (f"{words[:1].upper()}{words[1:]}.",) if words else ()
+    of_strips = (_STRIPS_NEED,) if beam_strips(combined.model) else ()
     rows = [_need(need) for need in beam_needs(combined, steel) if need.what != "struts"]
-    return table_of("beam_reinforcement", "Reinforcement of beams", heads, rows, (*notes, *of_cracks))
+    return table_of("beam_reinforcement", "Reinforcement of beams", heads, rows, (*notes, *of_cracks, *of_strips))
 
 
 def _need(need: BeamNeed) -> list[Cell]:
