@@ -143,7 +143,7 @@ class OutputStrip(Section):
         Literal["resisted", "released"],
         Choice(
             Literal["resisted", "released"],
-            "whether as a beam it is designed for torsion; released where only compatibility twists it",
+            "whether as a beam it is designed for torsion; released where compatibility alone twists it",
             "",
         ),
     ] = "resisted"
@@ -153,6 +153,12 @@ class OutputStrip(Section):
         from shapely import LineString
 
         return LineString([self.start, self.end]).buffer(self.width / 2, cap_style="flat")
+
+    def beyond(self, shape: BaseGeometry) -> float:
+        """Return how far the strip, along x or y, goes beyond a shape on the side on which it does so more [m]."""
+        across = int(self.start[1] == self.end[1])
+        low, high = (shape.bounds[across + 2 * upper] - self.start[across] for upper in (0, 1))
+        return float(max(self.width / 2 - high, self.width / 2 + low))
 
 
 def _check_point_names(points: tuple[OutputPoint, ...]) -> Iterator[RelativeIssue]:
@@ -178,6 +184,11 @@ class Output(Section):
     wall_limits: Annotated[
         bool, Boolean("whether to solve with none and with all of the stiffness of walls that have a height, too")
     ] = False
+
+    @property
+    def beams(self) -> tuple[OutputStrip, ...]:
+        """Return the strips that are designed as beams."""
+        return tuple(strip for strip in self.strips if strip.design == "beam")
 
 
 def check_wall_limits(output: Output, walls: tuple[Wall, ...]) -> Iterator[RelativeIssue]:

@@ -9,10 +9,12 @@ beam has in the analysis is designed for; one that compatibility alone twists ca
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field, replace
 
 import numpy as np
+from scipy.ndimage import maximum_filter1d
 
 from groundslab.arrays import Array, Flags, made_once
 from groundslab.design.bars.members import Member, Section, StripMember, across, members_of
@@ -100,14 +102,18 @@ def beam_needs(combined: Results, steel: Reinforcement) -> list[BeamNeed]:
 def strip_areas(combined: Results, steel: Reinforcement, nodes: Array) -> dict[str, Array]:
     """Return the bars that strips that are beams need over their width at the plate's nodes (n,) [m2/m], by layer.
 
-    At both faces half of those for torsion is among them; elsewhere they need none.
+    At both faces half of those for torsion is among them. A node has the most of what is needed up to the next ones, so
+    that bars that are enough at nodes are so between them. Elsewhere strips need none.
     """
     needs = {layer: np.zeros(len(nodes)) for layer in LAYERS}
     for course in courses(combined, steel):
         if isinstance(course.member, StripMember):
             within, way = course.member.nodes(nodes)
+            ways = course.forces.way
+            reach = np.diff(np.unique(np.round(way, 9))).max(initial=0.0)
+            size = 2 * math.ceil(reach / np.diff(ways).min()) + 1
             for layer, area in zip(course.member.layers, course.faces, strict=True):
-                needed = np.interp(way, course.forces.way, area / course.section.b)
+                needed = np.interp(way, ways, maximum_filter1d(area / course.section.b, size, mode="nearest"))
                 needs[layer][within] = np.maximum(needs[layer][within], needed)
     return needs
 

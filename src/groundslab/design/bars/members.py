@@ -111,12 +111,7 @@ def members_of(model: Model) -> tuple[Member, ...]:
         for number, beam in enumerate(model.beams)
         if not isinstance(beam.section, GivenSection)
     ]
-    return *beams, *(StripMember(each) for each in beam_strips(model))
-
-
-def beam_strips(model: Model) -> list[OutputStrip]:
-    """Return the strips that are designed as beams."""
-    return [each for each in model.output.strips if each.design == "beam"]
+    return *beams, *(StripMember(each) for each in model.output.beams)
 
 
 @dataclass(frozen=True)
@@ -246,7 +241,7 @@ class StripMember:
     def own(self, model: Model, way: Array) -> Flags:
         """Return where along it (k,) [m] no other strip crosses it."""
         own = np.ones(len(way), dtype=bool)
-        for other in beam_strips(model):
+        for other in model.output.beams:
             met = self.strip.area().intersection(other.area())
             if other is not self.strip and met.area > 0:
                 low, high = self._ways(met)
@@ -299,7 +294,7 @@ def _bearing(model: Model, chord: float) -> Iterator[BaseGeometry]:
 
 def member_forces(results: CombinationResult) -> tuple[BeamResult, ...]:
     """Return the section forces of beams and walls with a height, and of strips that are beams, along each."""
-    return *results.beams, *(strip_forces(results, each) for each in beam_strips(results.model))
+    return *results.beams, *(strip_forces(results, each) for each in results.model.output.beams)
 
 
 def strip_forces(results: CombinationResult, asked: OutputStrip) -> BeamResult:
@@ -317,7 +312,7 @@ def _cuts(results: CombinationResult) -> dict[str, StripResult]:
     """Return the cuts across the strips that are beams, by their names."""
     t = min(plate.thickness for plate in results.model.every_plate)
     found = dict[str, StripResult]()
-    for each in beam_strips(results.model):
+    for each in results.model.output.beams:
         length = float(np.hypot(*np.subtract(each.end, each.start)))
         count = int(np.clip(PER_THICKNESS * length / t, each.stations, MOST_CUTS)) + 1
         found[each.name] = strip(results.plate, each.start, each.end, each.width, count)
@@ -332,7 +327,7 @@ def _thickness(results: CombinationResult) -> dict[str, Array]:
     """
     return {
         each.name: minimum_filter1d(thickness_along(results, strip_forces(results, each)), 3, mode="nearest")
-        for each in beam_strips(results.model)
+        for each in results.model.output.beams
     }
 
 

@@ -41,7 +41,7 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
     if steel is None or rule is None:
         return
     for support in punching_supports(combined):
-        demands = rule.demands[support](combined)
+        demands = rule.demands_of(combined, support)
         judge = partial(_judged, support, demands, rule, steel)
         names = list(dict.fromkeys([*(name for _, name in demands.found), *demands.missing]))
         yield from judge_apart(names, str, combined.model.checks.off, judge)
@@ -49,7 +49,7 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
     if steel.links:
         layouts = [layout for layout in punching_links(combined) if steel.links_at(layout.name) is not None]
         yield from judge_apart(layouts, lambda layout: layout.name, combined.model.checks.off, _links)
-        punched = punched_names(combined, rule.demands)
+        punched = punched_names(combined, rule.demands_of)
         if unused := [links.of for links in steel.links if links.of not in punched]:
             words = Message("links are given at {names}, where no punching is judged", names=some(unused))
             yield DesignCheck("links without punching", "attention", words, of=unused[0])
@@ -117,7 +117,7 @@ def calculations(combined: Results) -> Iterator[tuple[str, list[Calculation]]]:
         return
     for support in punching_supports(combined):
         governing: dict[str, tuple[float, Any]] = {}
-        for demand in rule.demands[support](combined).found.values():
+        for demand in rule.demands_of(combined, support).found.values():
             used = rule.used(demand, steel)
             if used > governing.get(demand.name, (0.0,))[0]:
                 governing[demand.name] = used, demand

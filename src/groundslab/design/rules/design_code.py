@@ -18,7 +18,7 @@ from groundslab.design.rules.bending_steps import BarsNeeded
 from groundslab.design.rules.calculation import Step
 from groundslab.design.rules.check import NO_RULE, DesignCheck, not_judged
 from groundslab.design.rules.detailing_rule import DetailingRule
-from groundslab.design.rules.punching import Aspect, Demands, Heads
+from groundslab.design.rules.punching import Aspect, Demands, Heads, without_beams
 from groundslab.design.rules.punching_links.demand import LinkDemand, Support
 from groundslab.design.rules.shear_demand import ShearDemand
 from groundslab.design.rules.webs import Flange, Web, WebNeed
@@ -133,6 +133,8 @@ class PunchingRule:
         links do not help.
     depth : str
         The symbol of the effective depth.
+    beyond_faces : float
+        How far from a face, over d, the nearest perimeter is that a beam under a column must have room for.
     """
 
     demands: Mapping[Support, Callable[[Results], Demands[Any]]]
@@ -147,6 +149,11 @@ class PunchingRule:
     with_errors: tuple[str, ...] = ()
     links: Callable[[Results, Reinforcement, Support, Demands[Any]], Iterator[LinkDemand]] | None = None
     depth: str = "d"
+    beyond_faces: float = 1.0
+
+    def demands_of(self, combined: Results, support: Support) -> Demands[Any]:
+        """Return what punches in one way, but for what stands on strips that are beams."""
+        return without_beams(combined, self.demands[support](combined), self.beyond_faces, support)
 
 
 class TensionZone(NamedTuple):

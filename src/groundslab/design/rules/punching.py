@@ -10,6 +10,7 @@ from groundslab.design.demands.perimeter_loads import PunchingForce, Reach, punc
 from groundslab.design.demands.perimeters import SketchedPerimeter
 from groundslab.design.demands.zones.thicker_zones import zone_forces
 from groundslab.design.rules.check import MOST_NAMED, NO_PERIMETER, SUPPORT_INSIDE, DesignCheck, not_judged
+from groundslab.design.rules.combinations import ultimate_results
 from groundslab.design.rules.punching_links.demand import Support
 from groundslab.design.rules.wall_ends import loaded_ends
 from groundslab.messages import Message, Name, joined
@@ -45,6 +46,8 @@ CALLED: Mapping[Support, tuple[str, str]] = {
     "zone": ("thicker zones", "no thicker zone pushes or pulls"),
     "wall end": ("wall ends", "no wall pushes or pulls at an end or corner with slab beyond it"),
 }
+#: Why those on strips that are beams have no perimeter.
+ON_BEAM = "it stands on a strip that is a beam"
 #: What is said of the worst one if it pulls, or only turns the slab.
 PULLS = "; it pulls and is taken as tied to the far face"
 TURNS = "; it turns the slab without a force"
@@ -110,11 +113,43 @@ def punching_supports(combined: Results) -> Iterator[Support]:
         yield "wall end"
 
 
-def punched_names(combined: Results, demands_of: Mapping[Support, Callable[[Results], Demands[Any]]]) -> set[str]:
+def without_beams(
+    combined: Results, demands: Demands[AnyDemand], beyond: float, support: Support
+) -> Demands[AnyDemand]:
+    """Return the demands of all that punches in one way but for columns and piles whose shear is that of beams.
+
+    These are strips no wider than so many d beyond the face of what stands on them.
+    """
+    on = _on_beams(combined, beyond, support) if support in ("column", "pile") else set()
+    if not on:
+        return demands
+    found = {key: demand for key, demand in demands.found.items() if key[1] not in on}
+    return replace(demands, found=found, missing={**demands.missing, **dict.fromkeys(sorted(on), ON_BEAM)})
+
+
+def _on_beams(combined: Results, beyond: float, support: Support) -> set[str]:
+    """Return the names of columns or piles on strips that are beams no wider than so many d beyond their faces.
+
+    No perimeter so far from the face goes around them: it leaves the beam on both sides, and is shear across it at d.
+    """
+    steel, strips = combined.model.reinforcement, combined.model.output.beams
+    results = ultimate_results(combined)
+    names = set[str]()
+    if steel is None or not strips or not results:
+        return names
+    for force in forces_that_punch(combined, support):
+        footprint = force.footprint.footprint()
+        on = [strip for strip in strips if strip.area().intersects(footprint)]
+        if on and all(strip.beyond(footprint) < beyond * force.depth(results[0], steel) for strip in on):
+            names.add(force.name)
+    return names
+
+
+def punched_names(combined: Results, demands_of: Callable[[Results, Support], Demands[Any]]) -> set[str]:
     """Return the names of what punches and is judged, by the demands in each way to do so."""
     names = set[str]()
     for support in punching_supports(combined):
-        demands = demands_of[support](combined)
+        demands = demands_of(combined, support)
         names |= {name for _, name in demands.found} - set(demands.missing)
     return names
 
@@ -204,22 +239,11 @@ def with_the_rest(
         Why others have no perimeter, by name.
     """
     many, none, cut = called
-    cuts, bare = (
-        [without for without, why in sorted(missing.items()) if (why == cut) == is_cut] for is_cut in (True, False)
-    )
-    one_way = (
-        Message(
-            "perimeters of {many} ({named}) cut the slab from edge to edge, which one-way shear judges",
-            many=many,
-            named=_named(cuts),
-        )
-        if cuts
-        else ""
-    )
+    elsewhere, bare = _without_perimeter(many, cut, missing)
     if check is not None:
-        yield replace(check, words=joined((check.words, one_way), "; ")) if one_way else check
-    elif one_way or not (supported or bare):
-        yield DesignCheck(name, "no failure found", one_way or none)
+        yield replace(check, words=joined((check.words, elsewhere), "; ")) if elsewhere else check
+    elif elsewhere or not (supported or bare):
+        yield DesignCheck(name, "no failure found", elsewhere or none)
     if supported:
         worst = max(supported, key=supported.__getitem__)
         words = Message(
@@ -240,6 +264,22 @@ def with_the_rest(
             missing=missing[bare[0]],
         )
         yield not_judged(Message("{name} without a perimeter", name=name), NO_PERIMETER, words, of=bare[0])
+
+
+def _without_perimeter(many: str, cut: str, missing: Mapping[str, str]) -> tuple[str, list[str]]:
+    """Return what is said of those whose shear is judged elsewhere, and the names of the others without a perimeter."""
+    kinds = {why: why if why in (cut, ON_BEAM) else "" for why in missing.values()}
+    cuts, on_beams, bare = (
+        [name for name, why in sorted(missing.items()) if kinds[why] == kind] for kind in (cut, ON_BEAM, "")
+    )
+    words = list[str]()
+    if cuts:
+        template = "perimeters of {many} ({named}) cut the slab from edge to edge, which one-way shear judges"
+        words.append(Message(template, many=many, named=_named(cuts)))
+    if on_beams:
+        template = "{many} ({named}) stand on strips whose shear as beams is judged"
+        words.append(Message(template, many=many, named=_named(on_beams)))
+    return joined(words, "; ") if words else "", bare
 
 
 def _named(names: list[str]) -> str:

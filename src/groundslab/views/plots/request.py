@@ -8,7 +8,6 @@ from typing import Any, Literal, get_args
 
 import numpy as np
 
-from groundslab.design.bars.members import beam_strips
 from groundslab.design.bars.required_bars import bar_fields
 from groundslab.errors import InputError, Issue, NotConverged
 from groundslab.messages import Message, Name, capitalized
@@ -170,7 +169,7 @@ class PlotRequest:
         return {
             "convergence": len(self.histories),
             "mesh": 1,
-            "beams": len(self.combined.model.members) + len(beam_strips(self.combined.model)),
+            "beams": len(self.combined.model.members) + len(self.combined.model.output.beams),
             "soil": len(self.combined.model.boreholes) + len(self.combined.model.soil_zones) + 1,
             "lines": len(self.quantities) * len(self.lines),
             "stress": len(self.combinations) * len(self.lines),
@@ -207,7 +206,7 @@ def parse_request(
     if chosen_kind == "lines" and not (lines or listed_lines):
         hint = "give one as x1,y1,x2,y2 in meters, or name it under [[output.lines]] in the case"
         issues.append(Issue("line", "no section line", "at least one", hint))
-    if chosen_kind == "beams" and not (combined.model.members or beam_strips(combined.model)):
+    if chosen_kind == "beams" and not (combined.model.members or combined.model.output.beams):
         issues.append(Issue("kind", "a case without beams", "one with beams"))
     if issues:
         raise InputError(issues)

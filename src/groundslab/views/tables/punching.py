@@ -65,7 +65,7 @@ def punching_of(combined: Results, support: Support) -> PunchingColumns:
     rule = code_of(steel).punching if steel is not None else None
     if steel is None or rule is None:
         return PunchingColumns((), lambda _, __: [], ())
-    demands, heads = rule.demands[support](combined), rule.heads(support)
+    demands, heads = rule.demands_of(combined, support), rule.heads(support)
 
     def cells(combination: str, name: str) -> list[float | None]:
         demand = demands.found.get((combination, name))

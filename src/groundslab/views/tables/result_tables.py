@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import cache, partial
 
-from groundslab.design.bars.members import beam_strips, members_of
+from groundslab.design.bars.members import members_of
 from groundslab.design.bars.proposal.links import punching_links
 from groundslab.design.checks import check_design
 from groundslab.design.codes.registry import code_of
@@ -125,7 +125,7 @@ def _makers(combined: Results) -> dict[str, Callable[[], Table]]:
         "supports": (model.supports, support_table),
         "joints": (model.joints, joint_table),
         "walls": (model.walls, wall_table),
-        "beams": (model.members or beam_strips(model), beam_table),
+        "beams": (model.members or model.output.beams, beam_table),
         "building": (model.building, building_table),
     }
     makers |= {name: partial(errors.with_errors, make, combined) for name, (asked, make) in wanted.items() if asked}

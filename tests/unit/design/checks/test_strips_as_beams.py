@@ -296,3 +296,13 @@ def test_links_that_lie_nowhere(links: list[dict[str, Any]], expected: str) -> N
     with pytest.raises(InputError) as refused:
         footing(with_links(LAID, *links))
     assert expected in str(refused.value).replace('strip with design = "beam"', "output.strips")
+
+
+@pytest.mark.parametrize(("width", "judged"), [(1.0, False), (2.0, True)])
+def test_punching_stays_where_a_perimeter_goes_around(width: float, judged: bool) -> None:  # noqa: FBT001
+    """A beam that ends at less than d beside a column cannot be punched; a wider one can."""
+    model = footing(with_links(LAID), width=width)
+    model = model.replace(plate={"length_y": width})
+    found = checks(model)["punching within 2 d"]
+    assert (found.utilization is not None) == judged
+    assert ("stand on strips" in found.words) != judged

@@ -55,7 +55,7 @@ def punching_links(combined: Results) -> tuple[LinkLayout, ...]:
         if (given := steel.links_at(demand.name)) is None
         else lay_given_links(demand, given, covers)
         for support in punching_supports(combined)
-        for demand in rule.links(combined, steel, support, rule.demands[support](combined))
+        for demand in rule.links(combined, steel, support, rule.demands_of(combined, support))
     )
 
 

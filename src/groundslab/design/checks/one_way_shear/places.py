@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from groundslab.arrays import Array, Flags, Integers
-from groundslab.design.bars.members import beam_strips
 from groundslab.design.bars.required_bars import largest_areas, required_areas
 from groundslab.design.checks.one_way_shear.faces import Bearer, pressing, region_within_d, webs_of
 from groundslab.design.checks.one_way_shear.necks import is_beside
@@ -196,7 +195,7 @@ def _of_plate(results: CombinationResult, xy: Array) -> Flags:
     from shapely import covers, points
 
     own = np.ones((len(xy), 2), dtype=bool)
-    for strip in beam_strips(results.model):
+    for strip in results.model.output.beams:
         own[covers(strip.area(), points(xy)), along_axis(strip)] = False
     return own
 

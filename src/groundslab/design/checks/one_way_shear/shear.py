@@ -71,7 +71,7 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
     model = combined.solved_model
     punching = (*punching_columns(model), *punching_piles(model), *zone_forces(combined))
     nodes = nodes_of(steel, rule, results)
-    punched = punched_names(combined, code.punching.demands) if steel.links and code.punching is not None else ()
+    punched = punched_names(combined, code.punching.demands_of) if steel.links and code.punching is not None else ()
     links = {given.of: given.distances[-1] for given in steel.links if given.of in punched}
     necks = [cut for cut in neck_cuts(results[0], nodes.thickness) if not is_of_beam(results[0], cut)]
     places = ShearPlaces(nodes, bearers(model), punching, reach, necks, links, rule.beyond_links)

@@ -68,6 +68,7 @@ ACI318 = DesignCode(
         notes=two_way_columns.notes,
         aspects=two_way.aspects,
         cut=two_way_demand.CUT,
+        beyond_faces=0.5,
         steps=two_way_steps.steps,
         extremes=(("v_u", "MPa"),),
         with_errors=("V_u", "v_u", "v_u / phi v_c"),

@@ -67,6 +67,7 @@ EN1992_2023 = DesignCode(
         notes=punching_columns.notes,
         aspects=punching.aspects,
         cut=critical_sections.CUT,
+        beyond_faces=0.5,
         steps=punching_steps.steps,
         extremes=(("tau_Ed", "MPa"), ("tau_Ed / tau_Rd,c", "")),
         with_errors=("V_Ed", "tau_Ed", "tau_Ed / tau_Rd,c"),

@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from groundslab.design.bars.members import beam_strips
 from groundslab.design.bars.required_bars import bar_fields
 from groundslab.design.rules.combinations import ultimate_results
 from groundslab.messages import Message, Name, capitalized, joined, words_in
@@ -109,7 +108,7 @@ def draw_stress(results: CombinationResult) -> Drawing | None:
 
 def draw_beams(combined: Results) -> Iterator[Drawing]:
     """Yield moments and shear forces along the beams, some beams together."""
-    if not ((combined.model.members or beam_strips(combined.model)) and combined.results):
+    if not ((combined.model.members or combined.model.output.beams) and combined.results):
         return
     request = parse_request(combined, (), "beams", None, None, None)
     for number, part in enumerate(beams.batches(beams.curves_along(request)), 1):

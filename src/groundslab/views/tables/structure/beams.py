@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from groundslab.design.bars.beam_bars import BeamNeed, beam_needs
-from groundslab.design.bars.members import beam_strips, member_forces
+from groundslab.design.bars.members import member_forces
 from groundslab.design.codes.registry import code_of
 from groundslab.design.rules.combinations import solved_results
 from groundslab.messages import Clause, Message, Name
@@ -50,7 +50,7 @@ def beam_table(combined: Results) -> Table:
         for results in solved_results(combined)
         for beam in member_forces(results)
     ]
-    notes = (*_NOTES, _NOTE_ON_STRIPS) if beam_strips(combined.model) else _NOTES
+    notes = (*_NOTES, _NOTE_ON_STRIPS) if combined.model.output.beams else _NOTES
     if not any(beam.eccentric for beam in combined.model.members):
         return table_of("beams", "Beams", _HEADS, rows, notes)
     axial = [
@@ -102,7 +102,7 @@ def beam_reinforcement(combined: Results, steel: Reinforcement) -> Table:
     )
     words = code.beams.cracks(steel)
     of_cracks = (f"{words[:1].upper()}{words[1:]}.",) if words else ()
-    of_strips = (_STRIPS_NEED,) if beam_strips(combined.model) else ()
+    of_strips = (_STRIPS_NEED,) if combined.model.output.beams else ()
     rows = [_need(need) for need in beam_needs(combined, steel) if need.what != "struts"]
     return table_of("beam_reinforcement", "Reinforcement of beams", heads, rows, (*notes, *of_cracks, *of_strips))
 
