@@ -1,4 +1,4 @@
-"""Section forces along beams of several combinations: moments, shear forces, and axial forces where there are any."""
+"""Section forces along beams of several combinations: moments and shear, torsion and axial forces where there is any."""
 
 from __future__ import annotations
 
@@ -27,10 +27,15 @@ if TYPE_CHECKING:
 
 #: Boxes of the curves [mm].
 LEFT, HIGH, ABOVE, BETWEEN, BELOW = 17.0, 30.0, 12.0, 4.0, 13.0
-#: So many beams are on a page, and so many with axial forces.
-ON_PAGE, ON_PAGE_WITH_AXIAL = 3, 2
+#: So many beams are on a page, and so many with more than moments and shear forces.
+ON_PAGE, ON_PAGE_WITH_MORE = 3, 2
 #: What is drawn of each beam: its attribute, its symbol, its unit, and whether positive values point down.
-DRAWN = (("moment", "M", "kNm", True), ("shear", "V", "kN", False), ("axial", "N", "kN", False))
+DRAWN = (
+    ("moment", "M", "kNm", True), ("shear", "V", "kN", False), ("torsion", "T", "kNm", False),
+    ("axial", "N", "kN", False),
+)  # fmt: skip
+#: Torsion that is less than this share of the moment is not drawn.
+LITTLE = 0.02
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,7 +61,7 @@ def draw_pages(request: PlotRequest) -> list[Figure]:
 
 def batches(curves: Sequence[BeamCurves]) -> list[Sequence[BeamCurves]]:
     """Return the beams page by page."""
-    return style.batch(curves, ON_PAGE_WITH_AXIAL if any("axial" in beam.values for beam in curves) else ON_PAGE)
+    return style.batch(curves, ON_PAGE_WITH_MORE if any(len(beam.values) > 2 for beam in curves) else ON_PAGE)
 
 
 def curves_along(request: PlotRequest) -> list[BeamCurves]:
@@ -71,6 +76,8 @@ def curves_along(request: PlotRequest) -> list[BeamCurves]:
         }
         if not values["axial"].any():
             del values["axial"]
+        if np.abs(values["torsion"]).max() < LITTLE * np.abs(values["moment"]).max():
+            del values["torsion"]
         if band:
             values = {name: np.stack([rows.max(axis=0), rows.min(axis=0)]) for name, rows in values.items()}
         words = (Message("largest of {count} combinations", count=len(names)), "smallest") if band else names

@@ -31,10 +31,12 @@ SECOND = LAID | {"code": "EN 1992-1-1:2023"}
 ALONG = {"of": "S", "diameter": 0.012, "legs": 4, "spacing": 0.2}
 
 
-def footing(steel: dict[str, Any] | None = None, *, e: float = 0.0, P: float = 700e3, **strip: Any) -> Model:
+def footing(
+    steel: dict[str, Any] | None = None, *, e: float = 0.0, P: float = 700e3, b: float = B, **strip: Any
+) -> Model:
     """Return a footing of 8 m by 1 m by 0.6 m under two columns, whose forces are off its axis by e and -e [m]."""
     return Model(
-        plate={"length_x": L, "length_y": B, "thickness": H, "E": 33e9, "nu": 0.2},
+        plate={"length_x": L, "length_y": b, "thickness": H, "E": 33e9, "nu": 0.2},
         ground={"kind": "winkler", "k": 40e6},
         columns=[{"name": name, "x": x, "y": 0.0, "width_x": C, "width_y": C} for name, x in (("A", -3.0), ("B", 3.0))],
         cases=[{"name": "G"}],
@@ -44,7 +46,7 @@ def footing(steel: dict[str, Any] | None = None, *, e: float = 0.0, P: float = 7
         ],
         combinations=[{"name": "U", "factors": {"G": 1.35}, "limit_state": "ultimate"}],
         output={
-            "strips": [{"name": "S", "start": (-L / 2, 0), "end": (L / 2, 0), "width": B, "design": "beam"} | strip]
+            "strips": [{"name": "S", "start": (-L / 2, 0), "end": (L / 2, 0), "width": b, "design": "beam"} | strip]
         },
         reinforcement=steel,
         mesh={"size": 0.25},
@@ -299,10 +301,31 @@ def test_links_that_lie_nowhere(links: list[dict[str, Any]], expected: str) -> N
 
 
 @pytest.mark.parametrize(("width", "judged"), [(1.0, False), (2.0, True)])
-def test_punching_stays_where_a_perimeter_goes_around(width: float, judged: bool) -> None:  # noqa: FBT001
+def test_punching_stays_where_a_perimeter_goes_around(width: float, judged: bool) -> None:
     """A beam that ends at less than d beside a column cannot be punched; a wider one can."""
-    model = footing(with_links(LAID), width=width)
-    model = model.replace(plate={"length_y": width})
+    model = footing(with_links(LAID), b=width)
     found = checks(model)["punching within 2 d"]
     assert (found.utilization is not None) == judged
     assert ("stand on strips" in found.words) != judged
+
+
+@pytest.mark.parametrize(("spacing", "status"), [(0.2, "no failure found"), (0.6, "fails")])
+def test_links_of_ribs_are_checked_where_they_are_given(spacing: float, status: str) -> None:
+    """As those of strips; without any the table says what is needed."""
+    section = {"kind": "rib", "width": 0.4, "height": 0.5, "effective_width": 1.5}
+    ribs = Model(
+        plate={"length_x": L, "length_y": 4.0, "thickness": 0.25, "E": 33e9, "nu": 0.2},
+        ground={"kind": "winkler", "k": 40e6},
+        beams=[{"name": "R", "points": [(-L / 2, 0.0), (L / 2, 0.0)], "section": section}],
+        columns=[{"name": "A", "x": 0.0, "y": 0.0, "width_x": C, "width_y": C}],
+        cases=[{"name": "G"}],
+        loads=[{"kind": "point", "case": "G", "column": "A", "P": 800e3}],
+        combinations=[{"name": "U", "factors": {"G": 1.35}, "limit_state": "ultimate"}],
+        reinforcement=STEEL,
+        mesh={"size": 0.5},
+    )
+    assert LINKS not in checks(ribs)
+    links = {"of": "R", "diameter": 0.012, "legs": 2, "spacing": spacing}
+    given = ribs.replace(reinforcement=Reinforcement.model_validate(STEEL | {"beam_links": [links]}))
+    found = checks(given)[LINKS]
+    assert (found.status, found.of) == (status, "R")

@@ -47,6 +47,11 @@ GOVERNS: dict[str, tuple[str, str, Callable[[Array], Array]]] = {
     "moment_y": ("moment_y", "largest moment along y", np.abs),
 }
 
+#: What the section forces of beams are called.
+FORCES = {
+    "moment": "bending moment M", "shear": "shear force V", "torsion": "torsional moment T", "axial": "axial force N",
+}  # fmt: skip
+
 
 @dataclass(frozen=True, slots=True)
 class Drawing:
@@ -112,10 +117,11 @@ def draw_beams(combined: Results) -> Iterator[Drawing]:
         return
     request = parse_request(combined, (), "beams", None, None, None)
     for number, part in enumerate(beams.batches(beams.curves_along(request)), 1):
-        forces = "shear force, and axial force" if any("axial" in beam.values for beam in part) else "and shear force"
+        drawn = [words for name, words in FORCES.items() if any(name in beam.values for beam in part)]
         caption = Message(
-            f"Bending moment, positive downwards where the beam sags, {forces} along {{names}}.",
+            "Along {names}: {forces}. The moment is positive, downwards, where the beam sags.",
             names=joined(curves.name for curves in part),
+            forces=joined(drawn),
         )
         draw = partial(beams.draw_curves, request, part, titled=False)
         units, translate = combined.model.units, translator_of(combined)

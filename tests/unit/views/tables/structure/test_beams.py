@@ -102,9 +102,9 @@ def test_beams_are_lines_for_paraview(results: gs.Results) -> None:
 
 
 def test_beams_have_figures(results: gs.Results) -> None:
-    """Two axes for each beam; without beams there is nothing to draw."""
+    """Moments, shear and, where there is more than little, torsion of each beam; without beams there is nothing to draw."""
     figure = gs.plot(results, kind="beams")
-    assert [axes.get_ylabel() for axes in figure.axes] == ["M [kNm]", "V [kN]"] * 2
+    assert [axes.get_ylabel() for axes in figure.axes] == ["M [kNm]", "V [kN]"] + ["M [kNm]", "V [kN]", "T [kNm]"]
     assert len(gs.plot(results, kind="beams", combination="G").axes[0].lines) == 2
     bare = results.model.model_copy(update={"beams": ()})
     with pytest.raises(InputError, match="without beams"):
@@ -132,7 +132,7 @@ def test_eccentric_beams_show_their_axial_forces(tmp_path: Path) -> None:
     assert all(error is not None and error > 0 for error in found["error of greatest axial force"])
     assert [axes.get_ylabel() for axes in gs.plot(eccentric, kind="beams").axes] == ["M [kNm]", "V [kN]", "N [kN]"]
     assert gs.plot(eccentric, "n_x").axes
-    assert "shear force, and axial force along rib." in render_report(eccentric)
+    assert "Along rib: bending moment M, shear force V, axial force N." in render_report(eccentric)
     assert np.array_equal(beam_lines(eccentric.only).point_data["axial force N [kN]"], beam.axial * 1e-3)
     npz.write(eccentric.only, tmp_path / "results.npz")
     again = npz.load(tmp_path / "results.npz")
@@ -187,6 +187,6 @@ def test_a_crest_between_places_is_found() -> None:
 def test_reports_draw_beams(results: gs.Results) -> None:
     """Their diagrams, their table and what is assumed of them."""
     page = render_report(results)
-    assert "Bending moment, positive downwards where the beam sags, and shear force along long, short." in page
+    assert "The moment is positive, downwards, where the beam sags." in page
     assert "Beams and ribs bend, shear and twist with the plate" in page
     assert "largest torsional moment" in page
