@@ -102,7 +102,7 @@ def test_beams_are_lines_for_paraview(results: gs.Results) -> None:
 
 
 def test_beams_have_figures(results: gs.Results) -> None:
-    """Moments, shear and, where it is more than little, torsion of each beam; without beams there is nothing to draw."""
+    """Moments, shear and, where it is more than little, torsion of each beam; without beams nothing is drawn."""
     figure = gs.plot(results, kind="beams")
     assert [axes.get_ylabel() for axes in figure.axes] == [*("M [kNm]", "V [kN]"), *("M [kNm]", "V [kN]", "T [kNm]")]
     assert len(gs.plot(results, kind="beams", combination="G").axes[0].lines) == 2
