@@ -19,6 +19,7 @@ from groundslab.model.design.reinforcement import (
     check_beam_links,
     check_beta,
     check_links,
+    check_shear_links,
     check_strips,
 )
 from groundslab.model.ground import AnyGround, ContinuousGround, Continuum, Layered, SoilLayer, Winkler, carry_shear
@@ -391,6 +392,7 @@ DESIGN: tuple[Check, ...] = (
     check_strips,
     check_links,
     check_beam_links,
+    check_shear_links,
     check_beta,
     check_cracking,
     check_design_combinations,

@@ -59,6 +59,7 @@ class ShearWords(NamedTuple):
     cited: str  # by the check
     at_support: str = ""  # of struts up to what presses there
     thin: str = ""  # of the least thickness of slabs with links
+    link_distance: str = ""  # of how far legs of links may be from each other
 
 
 @dataclass(frozen=True, slots=True)
@@ -90,6 +91,9 @@ class ShearRule:
         So far beyond the outer links against punching that is checked instead, over d.
     cuts : callable or None
         Of a combination's results and materials: cuts beside columns over which means are checked, too.
+    link_distance : callable or None
+        Of materials and a demand: how far legs of links may be from each other [m]; None where the code's rule is not
+        known here.
     """
 
     words: ShearWords
@@ -103,6 +107,7 @@ class ShearRule:
     reach: Callable[[Results], Reach] | None = None
     beyond_links: float = 1.5
     cuts: Callable[[CombinationResult, Reinforcement], Iterator[Cut]] | None = None
+    link_distance: Callable[[Reinforcement, ShearDemand], float] | None = None
 
 
 @dataclass(frozen=True, slots=True)

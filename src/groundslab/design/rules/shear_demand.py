@@ -10,6 +10,7 @@ from groundslab.design.rules.calculation import MEGA, Step
 from groundslab.design.rules.check import DesignCheck, Status
 from groundslab.design.rules.demand_errors import scaled
 from groundslab.messages import Message, Name
+from groundslab.model.design.shear_links import ShearLinks
 from groundslab.results.results import CombinationResult
 
 
@@ -37,6 +38,7 @@ class ShearDemand:
     rho: float | None = None  # ratio of bars in tension; None if it or d differs over a cut
     across: bool = False  # whether forces are means over a cut
     along: AlongForce | None = None  # None of means over a cut
+    links: ShearLinks | None = None  # that are given there
     error: Callable[[], float | None] = field(default=lambda: None, repr=False, compare=False)  # of v [N/m]
 
     @property

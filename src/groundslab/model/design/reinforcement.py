@@ -12,6 +12,7 @@ from groundslab.model.design.bars import OTHER_MESH, Bars, BarZone, Layer, MeshN
 from groundslab.model.design.beam_links import BeamLinks
 from groundslab.model.design.detailing import AllowedBars, Detailing
 from groundslab.model.design.punching_links import PunchingLinks
+from groundslab.model.design.shear_links import ShearLinks
 from groundslab.model.ground import POSITIVE
 from groundslab.model.loads.annexes import AnnexName
 from groundslab.model.outputs import Output
@@ -116,6 +117,10 @@ def _check_zones(zones: tuple[BarZone, ...]) -> Iterator[RelativeIssue]:
     yield from check_names("zones", [zone.name for zone in zones], needed=True)
 
 
+def _check_shear_links(shear_links: tuple[ShearLinks, ...]) -> Iterator[RelativeIssue]:
+    yield from check_names("shear_links", [links.name for links in shear_links], needed=True)
+
+
 def _check_links(code: str, links: tuple[PunchingLinks, ...]) -> Iterator[RelativeIssue]:
     seen = set[str]()
     for position, given in enumerate(links):
@@ -217,7 +222,7 @@ class Reinforcement(Section):
 
     constraints: ClassVar[tuple[Check, ...]] = (
         _check_code, check_concrete, _check_steel, _check_all_layers, _check_axes, _check_cover, _check_meshes,
-        _check_zones, _check_fire, _check_links,
+        _check_zones, _check_fire, _check_links, _check_shear_links,
     )  # fmt: skip
 
     code: Annotated[Code, Choice(Code, "code for the strength checks", "")] = "EN 1992-1-1"
@@ -342,6 +347,9 @@ class Reinforcement(Section):
     ] = False
     links: Annotated[
         tuple[PunchingLinks, ...], Table("links against punching, to be checked; propose-bars writes them")
+    ] = ()
+    shear_links: Annotated[
+        tuple[ShearLinks, ...], Table("links against one-way shear in parts of the slab, to be checked", 1000)
     ] = ()
     beam_links: Annotated[
         tuple[BeamLinks, ...], Table("links of beams and of strips that are beams, to be checked")
@@ -517,6 +525,19 @@ def check_strips(
             yield RelativeIssue(where, "a strip at an angle to the bars", expected, hint)
         if strip.design == "beam" and strip.name in names:
             yield RelativeIssue((*where, "name"), f"{quote(strip.name)}, the name of a beam", "another name")
+
+
+def check_shear_links(
+    plate: Plate, plates: tuple[FurtherPlate, ...], reinforcement: Reinforcement | None
+) -> Iterator[RelativeIssue]:
+    """Find links of the slab that are beside it."""
+    if reinforcement is None or not reinforcement.shear_links:
+        return
+    covered = PlateRegion(plate, plates)
+    for position, links in enumerate(reinforcement.shear_links):
+        if covered.area.intersection(links.shape.ring().polygon(CHORD * covered.size)).area == 0:
+            place = ("reinforcement", "shear_links", position, "shape")
+            yield RelativeIssue(place, "links off the plate", "a part of it")
 
 
 def check_beam_links(

@@ -1,4 +1,4 @@
-"""Section forces along beams of several combinations: moments and shear, torsion and axial forces where there is any."""
+"""Section forces along beams of several combinations: moments, shear, torsion, and axial forces where there are any."""
 
 from __future__ import annotations
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
 from typing import TYPE_CHECKING
@@ -24,8 +24,9 @@ from groundslab.design.rules.wide_beam import Cut
 from groundslab.fem.mesh import Mesh
 from groundslab.model.design.averaging import along_axis
 from groundslab.model.design.floors import TR34Floor
-from groundslab.model.design.laid_bars import laid_bars
+from groundslab.model.design.laid_bars import laid_bars, polygon_of
 from groundslab.model.design.reinforcement import Reinforcement
+from groundslab.model.design.shear_links import ShearLinks
 from groundslab.model.loads.acting import PointForce
 from groundslab.model.remarks.singular_places import near_singular
 from groundslab.model.supports import LineSupport
@@ -52,6 +53,7 @@ class Places:
     thickness: Array  # (k,) [m]
     ratios: Mapping[str, Array]  # (k,): bars over the depth, by layer
     counts: Flags  # (k,): whether one-way shear is checked there
+    links: Integers  # (k,): which links stand there, -1 if none
     of_plate: Flags  # (k, 2): whether shear along x and along y is the plate's, not that of a strip that is a beam
 
     def forces(self, plate: PlateResult, elements: ElementResult) -> dict[str, Array]:
@@ -66,6 +68,12 @@ class Places:
     def mean(self, values: Array) -> Array:
         """Return nodal values (n,) at the places (k,)."""
         return np.asarray((self.weights * values[self.nodes]).sum(axis=1))
+
+    def by_links(self, steel: Reinforcement) -> Iterator[tuple[Places, ShearLinks | None]]:
+        """Yield the places without links, and those where some stand, with them."""
+        yield self.of(self.counts & (self.links < 0)), None
+        for number in np.unique(self.links[self.counts & (self.links >= 0)]).tolist():
+            yield self.of(self.counts & (self.links == number)), steel.shear_links[number]
 
     def of(self, counts: Flags) -> Places:
         """Return the same places with others of them that count."""
@@ -157,8 +165,8 @@ def nodes_of(steel: Reinforcement, rule: ShearRule, results: list[CombinationRes
     numbers = np.arange(len(d))
     counts = _counts(results[0], plate.nodes, d, thickness)
     ones = np.ones((len(d), 1))
-    own = _of_plate(results[0], plate.nodes)
-    return Places(plate.nodes, numbers[:, None], ones, np.full(len(d), -1), d, thickness, ratios, counts, own)
+    links, own = _links_at(steel, plate.nodes), _of_plate(results[0], plate.nodes)
+    return Places(plate.nodes, numbers[:, None], ones, np.full(len(d), -1), d, thickness, ratios, counts, links, own)
 
 
 def _on_border(
@@ -187,7 +195,27 @@ def _on_border(
     meets[STRtree(_polygons(mesh)).query(shapes, predicate="intersects")[1]] = True
     element = np.where(meets[line.element[piece]], line.element[piece], -1)
     counts, own = _counts(results, xy, d, thickness), _of_plate(results, xy)
-    return Places(xy, nearest, weights, element, d, thickness, ratios, counts, own)
+    steel = results.model.reinforcement
+    assert steel is not None
+    return Places(xy, nearest, weights, element, d, thickness, ratios, counts, _links_at(steel, xy), own)
+
+
+def _links_at(steel: Reinforcement, xy: Array) -> Integers:
+    """Return which links of a slab stand at places (k, 2) [m], -1 where none do; of several the first."""
+    from shapely import covers, points
+
+    which = np.full(len(xy), -1)
+    for number in range(len(steel.shear_links) - 1, -1, -1):
+        which[covers(polygon_of(steel.shear_links[number].shape.ring()), points(xy))] = number
+    return which
+
+
+def links_along(steel: Reinforcement, cut: Cut) -> ShearLinks | None:
+    """Return the links that stand all along a cut, if any do."""
+    from shapely import covers, linestrings
+
+    legs = linestrings(cut.legs)
+    return next((links for links in steel.shear_links if covers(polygon_of(links.shape.ring()), legs).all()), None)
 
 
 def _of_plate(results: CombinationResult, xy: Array) -> Flags:

@@ -34,6 +34,7 @@ from groundslab.design.checks.one_way_shear.places import (
     Places,
     ShearPlaces,
     is_of_beam,
+    links_along,
     near_forces,
     nodes_of,
 )
@@ -42,18 +43,26 @@ from groundslab.design.demands.design_moments import principal_shear, ratio_alon
 from groundslab.design.demands.edge_strip import plates_that_count, spread_edge_force
 from groundslab.design.demands.perimeter_loads import punching_columns, punching_piles
 from groundslab.design.demands.zones.thicker_zones import zone_forces
+from groundslab.design.rules.calculation import Step
 from groundslab.design.rules.check import NO_PLACE, DesignCheck, Status, not_judged
 from groundslab.design.rules.combinations import ultimate_results
 from groundslab.design.rules.demand_errors import error_of_greatest, scaled
 from groundslab.design.rules.design_code import DesignCode, ShearRule, no_rule
 from groundslab.design.rules.punching import punched_names
+from groundslab.design.rules.punching_links.demand import LinkLimit
 from groundslab.design.rules.shear_demand import AlongForce, ShearDemand
 from groundslab.design.rules.wide_beam import Cut, same
-from groundslab.messages import Clause, Message, Name
+from groundslab.messages import Clause, Message, Name, quantity
 from groundslab.model.design.reinforcement import Reinforcement
+from groundslab.model.design.shear_links import ShearLinks
 from groundslab.results.fields import place_of
 from groundslab.results.plate_result import PlateResult
 from groundslab.results.results import CombinationResult, Results
+
+#: What counts as rounding, relative.
+ROUNDING = 1e-9
+#: What is said where the code's rule for distances of links is not known here.
+UNKNOWN_DISTANCES = "how far they may be from each other is not known here"
 
 
 def checks(combined: Results) -> Iterator[DesignCheck]:
@@ -80,7 +89,7 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
     beside = [cut for cut in cuts if not is_of_beam(results[0], cut)]
     demands += [demand for result in results for demand in _across(result, places, steel, rule, beside)]
     if demands:
-        yield _check(steel, code, rule, max(demands, key=lambda demand: demand.used))
+        yield _check(steel, code, rule, max(demands, key=lambda demand: _share(steel, rule, demand)))
     else:
         words = "no place of the slab is far enough from what bears on it"
         yield not_judged("one-way shear", NO_PLACE, words)
@@ -104,6 +113,8 @@ def _check(steel: Reinforcement, code: DesignCode, rule: ShearRule, demand: Shea
     status: Status = "no failure found"
     if demand.used > 1:
         area, thin = rule.links(steel, demand), demand.thickness < rule.least_thickness
+        if demand.links is not None and not np.isinf(area) and not thin:
+            return _with_links(steel, code, rule, demand)
         status = "fails" if np.isinf(area) or thin else "attention"
         if demand.at_support:
             words += Message("; links do not suffice at the load there ({clause})", clause=Clause(said.at_support))
@@ -118,6 +129,66 @@ def _check(steel: Reinforcement, code: DesignCode, rule: ShearRule, demand: Shea
     return demand.check(status, words, f"{code.name} {said.cited}", rule.steps(steel, demand))
 
 
+def _share(steel: Reinforcement, rule: ShearRule, demand: ShearDemand) -> float:
+    """Return the share used of what needs no links, or of links that are needed and given; inf where none help."""
+    if demand.used <= 1 or demand.links is None:
+        return demand.used
+    if demand.thickness < rule.least_thickness:
+        return np.inf
+    return max(limit.used for limit in _limits(steel, rule, demand))
+
+
+def _limits(steel: Reinforcement, rule: ShearRule, demand: ShearDemand) -> Iterator[LinkLimit]:
+    """Yield what links that are given are judged by: their area, and how far their legs are from each other."""
+    links, said = demand.links, rule.words
+    assert links is not None
+    needed = rule.links(steel, demand)
+    yield LinkLimit("links", needed * 1e4, links.area * 1e4, "cm2/m2", said.links)
+    if rule.link_distance is not None:
+        apart = rule.link_distance(steel, demand)
+        yield LinkLimit("distance of legs", links.apart * 1e3, apart * 1e3, "mm", said.link_distance)
+
+
+def _with_links(steel: Reinforcement, code: DesignCode, rule: ShearRule, demand: ShearDemand) -> DesignCheck:
+    """Return the check of a place that needs links and has some."""
+    assert demand.links is not None
+    worst = max(_limits(steel, rule, demand), key=lambda limit: limit.used)
+    holds = worst.used <= 1 + ROUNDING
+    words: str = Message(
+        "{force} {v:.4g kN/m} at {where} needs links; {name}: {what} {value} {sign} {limit} ({clause})",
+        force=Name(rule.words.force), v=demand.v / 1e3, where=demand.where, name=Name(demand.links.name),
+        what=worst.what, value=quantity(worst.value, worst.unit), sign="<=" if holds else ">",
+        limit=quantity(worst.limit, worst.unit), clause=Clause(worst.clause),
+    )  # fmt: skip
+    unknown = rule.link_distance is None
+    if unknown:
+        words += Message("; {doubt}", doubt=UNKNOWN_DISTANCES)
+    error = demand.error()
+    if error is not None and worst.unit == "cm2/m2":
+        error = (rule.links(steel, replace(demand, v=demand.v + error)) * 1e4) - worst.value
+    return DesignCheck(
+        "one-way shear", "fails" if not holds else "attention" if unknown else "no failure found", words,
+        of=demand.links.name, demand=worst.value, resistance=worst.limit, unit=worst.unit,
+        clause=f"{code.name} {rule.words.cited}", combination=demand.results.combination, place=demand.place,
+        error=error if worst.unit == "cm2/m2" and error is not None and np.isfinite(error) else None,
+        steps=tuple(_link_steps(steel, rule, demand)),
+    )  # fmt: skip
+
+
+def _link_steps(steel: Reinforcement, rule: ShearRule, demand: ShearDemand) -> Iterator[Step]:
+    """Yield the calculation at a place that needs links and has some."""
+    yield from rule.steps(steel, demand)
+    area, *_ = _limits(steel, rule, demand)
+    assert demand.links is not None
+    yield Step("diameter of the legs that are given", "phi_w", demand.links.diameter, "m")
+    yield Step("their distance along x", "s_x", demand.links.spacing_x, "m")
+    yield Step("their distance along y", "s_y", demand.links.spacing_y, "m")
+    formula = "3.14159265 * phi_w^2 / 4 / (s_x * s_y) * 10000"
+    yield Step("links that are given", "a_prov", area.limit, "cm2/m2", formula)
+    yield Step("links that are needed, the least ones at least", "a_req", area.value, "cm2/m2", clause=area.clause)
+    yield Step("share used of the links", "eta_w", area.used, "", "a_req / a_prov", area.clause)
+
+
 def _of_combination(
     results: CombinationResult, places: ShearPlaces, steel: Reinforcement, rule: ShearRule
 ) -> Iterator[ShearDemand]:
@@ -125,7 +196,8 @@ def _of_combination(
     sorted_places = places.of(results)
     for plate in plates_that_count(results, relieves=steel.line_force_relieves):
         for beyond in sorted_places.beyond:
-            yield from _worst(results, plate, beyond, steel, rule)
+            for places_there, links in beyond.by_links(steel):
+                yield from _worst(results, plate, places_there, steel, rule, links)
         if rule.struts_at_faces:
             for demand in _worst(results, plate, sorted_places.within, steel, rule):
                 if np.isinf(rule.links(steel, demand)):
@@ -133,20 +205,32 @@ def _of_combination(
 
 
 def _worst(
-    results: CombinationResult, plate: PlateResult, places: Places, steel: Reinforcement, rule: ShearRule
+    results: CombinationResult,
+    plate: PlateResult,
+    places: Places,
+    steel: Reinforcement,
+    rule: ShearRule,
+    links: ShearLinks | None = None,
 ) -> Iterator[ShearDemand]:
-    """Yield the place that counts with the largest share of what needs no links, if any counts."""
+    """Yield the place that counts with the largest share of what needs no links, if any counts.
+
+    Of places where links stand, and that need them, the one with the largest force over its depth.
+    """
     v, rho, along = _demand(results, plate, places)
     without_links = rule.resistance(steel, results.limit_state, places.d, rho)
     counts = places.counts & ~near_forces(results, places.xy, places.d)
     if counts.any():
-        k = int(np.argmax(np.where(counts, v / without_links, -1.0)))
+        used = v / without_links
+        if links is not None and (used[counts] > 1).any():
+            used = np.where(used > 1, v / places.d, 0.0)
+        k = int(np.argmax(np.where(counts, used, -1.0)))
         sizes = float(v[k]), float(without_links[k]), float(places.d[k]), float(places.thickness[k])
         spread = plate is not results.plate
         error = partial(_error, results, places.of(counts), without_links, k, spread=spread)
         yield ShearDemand(
-            results, place_of(places.xy, k), *sizes, spread=spread, rho=float(rho[k]), along=along(k), error=error
-        )
+            results, place_of(places.xy, k), *sizes, spread=spread, rho=float(rho[k]), along=along(k), error=error,
+            links=links,
+        )  # fmt: skip
 
 
 def _error(results: CombinationResult, places: Places, without_links: Array, k: int, *, spread: bool) -> float | None:
@@ -185,6 +269,7 @@ def _across(
             yield ShearDemand(
                 results, cut.place, cut.shear(results, plate), without_links, d, thickness,
                 spread=spread, rho=ratio, across=True, error=partial(_error_across, results, cut, spread=spread),
+                links=links_along(steel, cut),
             )  # fmt: skip
 
 

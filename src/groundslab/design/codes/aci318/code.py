@@ -45,7 +45,10 @@ ACI318 = DesignCode(
     bending=_bending,
     bars_by_steps=bending_steps.steps,
     shear=ShearRule(
-        words=ShearWords("v_u", "phi v_c", "22.5.5.1", "22.5.8.5.3", "22.5.1.2", "22.5.5.1"),
+        words=ShearWords(
+            "v_u", "phi v_c", "22.5.5.1", "22.5.8.5.3", "22.5.1.2", "22.5.5.1", link_distance="7.7.5.1, 9.7.6.2.2"
+        ),
+        link_distance=one_way_shear.link_distance,
         resistance=one_way_shear.resistance,
         links=one_way_shear.links,
         steps=one_way_shear.steps,

@@ -63,6 +63,7 @@ class Annex:
     link_distances: tuple[tuple[float, float, float], ...]
     leg_distances: tuple[tuple[float, float, float], ...]
     link_distances_by_height: bool
+    slab_link_distances: tuple[tuple[float, float], ...]
     slab_links: float
     lap: tuple[float, float]
     cover_relieves: bool

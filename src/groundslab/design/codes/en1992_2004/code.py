@@ -43,7 +43,10 @@ EN1992 = DesignCode(
     bending=_bending,
     bars_by_steps=bending_steps.steps,
     shear=ShearRule(
-        words=ShearWords("v_Ed", "v_Rd,c", "6.2.2", "6.2.3", "6.2.3(3)", "6.2.2, 6.2.3", "6.2.1(8)", "9.3.2(1)"),
+        words=ShearWords(
+            "v_Ed", "v_Rd,c", "6.2.2", "6.2.3", "6.2.3(3)", "6.2.2, 6.2.3", "6.2.1(8)", "9.3.2(1)", "9.3.2(4)"
+        ),
+        link_distance=one_way_shear.link_distance,
         resistance=one_way_shear.resistance,
         links=one_way_shear.links,
         steps=one_way_shear.steps,

@@ -8,6 +8,7 @@ import numpy as np
 
 from groundslab.arrays import Array
 from groundslab.design.codes.aci318 import shear
+from groundslab.design.codes.aci318.beams import FARTHEST, SHARP
 from groundslab.design.codes.aci318.checks.two_way_demand import pile_two_way, zone_two_way
 from groundslab.design.codes.aci318.materials import PHI_SHEAR
 from groundslab.design.codes.aci318.materials_of_case import materials
@@ -38,6 +39,14 @@ def resistance(steel: Reinforcement, _: str, d: Array, rho: Array) -> Array:
 def links(steel: Reinforcement, demand: ShearDemand) -> float:
     """Return the links per area of the plan that a demand needs [m2/m2]; inf where none suffice."""
     return shear.links(demand.v, demand.d, *materials(steel))
+
+
+def link_distance(steel: Reinforcement, demand: ShearDemand) -> float:
+    """Return how far legs of links may be from each other along the force [m], Table 9.7.6.2.2."""
+    concrete, _ = materials(steel)
+    of_links = demand.v / PHI_SHEAR - shear.WITH_LINKS * concrete.root * demand.d
+    half = 0.5 if of_links > SHARP * concrete.root * demand.d else 1.0
+    return half * min(demand.d / 2, FARTHEST)
 
 
 def steps(steel: Reinforcement, demand: ShearDemand) -> Iterator[Step]:
