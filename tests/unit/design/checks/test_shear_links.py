@@ -97,7 +97,7 @@ def test_links_close_the_check(steel: dict[str, Any]) -> None:
 
 def test_the_second_generation_needs_attention() -> None:
     """Its distances were read nowhere."""
-    found = check(slab(with_links(SECOND, {"shape": AREA | {"x": (-3.5, 3.5)}}), q=1000e3))
+    found = check(slab(with_links(SECOND, {"shape": AREA | {"x": (-3.5, 3.5)}, "spacing_y": 0.1}), q=1000e3))
     assert found.status == "attention"
     assert "not known" in found.words
 
