@@ -12,7 +12,7 @@ import numpy as np
 from groundslab.arrays import Array
 from groundslab.design.bars.proposal.layer_bars import LayerProposal, LayerTask, propose_layer
 from groundslab.design.bars.proposal.links import punching_links
-from groundslab.design.bars.proposal.plan_grid import CellValues, PlanGrid, locate_cells, make_grid
+from groundslab.design.bars.proposal.plan_grid import CellValues, locate_cells, make_grid, symmetric_axes
 from groundslab.design.bars.required_bars import largest_areas, required_areas
 from groundslab.design.codes.registry import code_of
 from groundslab.design.rules.combinations import ultimate_results
@@ -113,22 +113,20 @@ def propose_bars(results: Results) -> BarProposal:
     steel, code = _steel_and_code(results)
     rule, plate = code.detailing, ultimate_results(results)[0].plate
     assert rule is not None
-    region = get_plate_region(results.model.plate, results.model.plates)
-    grid = make_grid(region.area, steel.proposal.rounding)
-    cells = locate_cells(grid, plate)
+    plan = get_plate_region(results.model.plate, results.model.plates).area
+    cells_of = cache(lambda folded: locate_cells(make_grid(plan, steel.proposal.rounding, folded), plate))
     needs = _requirements(results, steel)
-    thickness = ultimate_results(results)[0].elements.at_nodes(plate)[0]
-    between = float(thickness.min()), float(thickness.max())
     axes = {layer: axis_of(steel, layer) for layer in LAYERS}
     for _ in range(MOST_ROUNDS):
         layers, remarks = dict[str, LayerProposal](), list[str]()
         for layer in LAYERS:
-            task = _task(results, steel, layer, needs[layer], between, rule, cells)
+            cells = cells_of(symmetric_axes(plan, cells_of((False, False)), needs[layer]))
+            task = _task(results, steel, layer, needs[layer], rule, cells)
             task = replace(task, farthest=partial(_farthest, steel, rule, axes[layer]))
-            proposed, missed = _propose(task, layer, grid, steel, rule)
+            proposed, missed = _propose(task, layer, steel, rule)
             remarks += missed
             layers[layer] = proposed or _refuse(layer, needs[layer], plate.nodes, steel, rule)
-        found = _with_bars(steel, layers, grid)
+        found = _with_bars(steel, layers)
         more = _requirements(results, found)
         deeper = {layer: max(axes[layer], axis_of(found, layer)) for layer in LAYERS}
         if _enough(found, more, plate.nodes) and (_near(found, rule) or deeper == axes):
@@ -139,7 +137,7 @@ def propose_bars(results: Results) -> BarProposal:
 
 
 def _propose(
-    task: LayerTask, layer: str, grid: PlanGrid, steel: Reinforcement, rule: DetailingRule
+    task: LayerTask, layer: str, steel: Reinforcement, rule: DetailingRule
 ) -> tuple[LayerProposal | None, Sequence[str]]:
     """Return the bars of a layer, None if none are enough, and what they could not keep to."""
     name, every = layer.replace("_", " "), _diameters(steel, layer, rule, crossing=True)
@@ -152,7 +150,7 @@ def _propose(
     for attempt, missed in (
         (task, []), (thick, [crossing]), (far, [apart]), (replace(far, diameters=every), [crossing, apart])
     ):  # fmt: skip
-        proposed = propose_layer(attempt, grid, steel, rule)
+        proposed = propose_layer(attempt, steel, rule)
         if proposed is not None:
             return proposed, missed
     return None, []
@@ -254,14 +252,15 @@ def _task(
     steel: Reinforcement,
     layer: str,
     needs: Array,
-    thickness: tuple[float, float],
     rule: DetailingRule,
     cells: CellValues,
 ) -> LayerTask:
     """Return what the bars of a layer are chosen for, with what they need (n,) [m2/m] at the nodes without cracks."""
-    spacings = tuple(s for s in steel.proposal.spacings if s <= rule.spacing(steel, thickness[0]) + ROUNDING)
+    thickness = ultimate_results(results)[0].elements.at_nodes(cells.plate)[0]
+    farthest = rule.spacing(steel, float(thickness.min()))
+    spacings = tuple(s for s in steel.proposal.spacings if s <= farthest + ROUNDING)
     if not spacings:
-        hint = Message("at most {spacing:.4g mm} is allowed", spacing=rule.spacing(steel, thickness[0]) * 1e3)
+        hint = Message("at most {spacing:.4g mm} is allowed", spacing=farthest * 1e3)
         raise InputError([Issue("reinforcement.proposal.spacings", "none that the code allows", "smaller ones", hint)])
     axis = "xy".index(layer[-1])
 
@@ -279,11 +278,12 @@ def _task(
         return along(np.maximum(needs, of_cracks)) if (of_cracks > needs).any() else without_cracks
 
     return LayerTask(
+        grid=cells.grid,
         needs=of_cells,
+        thickness=along(thickness),
         axis=axis,
         distance=axis_of(steel, layer),
         at_top=layer.startswith("top"),
-        thickness=thickness,
         diameters=_diameters(steel, layer, rule),
         spacings=spacings,
     )
@@ -313,16 +313,15 @@ def _diameters(steel: Reinforcement, layer: str, rule: DetailingRule, *, crossin
     return tuple(allowed) or diameters[:1]
 
 
-def _with_bars(steel: Reinforcement, layers: dict[str, LayerProposal], grid: PlanGrid) -> Reinforcement:
+def _with_bars(steel: Reinforcement, layers: dict[str, LayerProposal]) -> Reinforcement:
     """Return the reinforcement with proposed bars in place of its own, at the depth that the thickest of them have."""
     zones = []
     for layer, proposed in layers.items():
-        for number, (bars, (i0, i1, j0, j1)) in enumerate(proposed.zones, start=1):
-            sides = {"x": (grid.line(0, i0), grid.line(0, i1)), "y": (grid.line(1, j0), grid.line(1, j1))}
+        for number, (bars, (x, y)) in enumerate(proposed.zones, start=1):
             zones.append(
                 BarZone(
                     name=f"{layer.replace('_', ' ')} {number}",
-                    shape={"kind": "rectangle", **sides},
+                    shape={"kind": "rectangle", "x": x, "y": y},
                     layers=(layer,),
                     diameter=bars.diameter,
                     spacing=bars.spacing,
