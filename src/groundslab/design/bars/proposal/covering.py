@@ -21,10 +21,9 @@ import numpy as np
 from groundslab.arrays import Array, Flags, Integers
 from groundslab.design.bars.proposal.plan_grid import Window
 
-#: Prices of a zone are doubled so many times at most until there are no more of them than allowed.
-DOUBLINGS = 12
-#: What a zone costs at least, over the steel of one zone for all.
-LEAST_PRICE = 1e-4
+#: Where there are more zones than allowed, their price grows by this factor, so many times at most, from a share of the
+#: steel of the strongest bars all over the plan at least.
+GROWTH, TRIALS, LEAST_PRICE = 1.4, 30, 1e-3
 #: What counts as rounding, in cells, and relative.
 IN_CELLS, ROUNDING = 1e-6, 1e-9
 
@@ -40,7 +39,7 @@ class Field:
     area : array (m, w)
         What of them is in the plan [m2].
     every : int
-        Zones end at multiples of so many cells along the bars.
+        Zones end at multiples of so many cells along the bars, of which m is one.
     folded : tuple of bool
         Whether cells go on before the first one, along and across, by their mirror image.
     """
@@ -67,7 +66,7 @@ class Field:
 
 @dataclass(frozen=True, slots=True)
 class Options:
-    """The bars that a zone may have: areas (o,) [m2/m], lengths (o,) that develop them, and its least size, in cells."""
+    """The bars that a zone may have: areas (o,) [m2/m], lengths (o,) that develop them and its least size in cells."""
 
     area: Array
     anchorage: Array
@@ -76,9 +75,9 @@ class Options:
 
 @dataclass(frozen=True, slots=True)
 class Zone:
-    """A rectangle of additional bars: its cells, anchorage included, its option, its steel [m3], how many it stands for.
+    """A rectangle of additional bars: its cells, anchorage included, and which of the options it has.
 
-    The steel is that of all its images where cells are folded.
+    Where cells are folded it stands for its images, too: they are so many, and have so much steel [m3].
     """
 
     cells: Window
@@ -109,12 +108,11 @@ def cover(field: Field, options: Options, most: int, price: float, blocks: int) 
         return None
     best = _zones_of_windows(field, options, blocks)
     of_all = float(options.area.max() * field.area_before[-1, -1])
-    price = max(price, LEAST_PRICE * of_all)
-    for _ in range(DOUBLINGS):
+    for _ in range(TRIALS):
         zones = best.chosen(price)
         if zones is None or sum(zone.count for zone in zones) <= most:
             return zones
-        price *= 2
+        price = max(GROWTH * price, LEAST_PRICE * of_all)
     return None
 
 
@@ -230,7 +228,9 @@ def _zones_of_windows(field: Field, options: Options, blocks: int) -> _Windows:
     first, last, fits_across = _at_least(first, last, (j0, j1), options.least[1], 1, w, folded=folded[1])
     enough = (over(np.maximum, share) <= 1 + ROUNDING) & fits & fits_across[..., None]
     option = np.argmin(np.where(enough, options.area * (high - low), np.inf), axis=2)
-    low, high, enough = (np.take_along_axis(values, option[..., None], axis=2)[..., 0] for values in (low, high, enough))
+    low, high, enough = (
+        np.take_along_axis(values, option[..., None], axis=2)[..., 0] for values in (low, high, enough)
+    )
     before = field.area_before
     low, high, first, last = (np.clip(side, 0, size) for side, size in ((low, m), (high, m), (first, w), (last, w)))
     covered = before[high, last] - before[low, last] - before[high, first] + before[low, first]

@@ -169,14 +169,13 @@ def _candidates(task: LayerTask, steel: Reinforcement, rule: DetailingRule) -> I
                 yield _Candidate(base, field, tuple(additions), _options(task, base, additions, steel, rule))
 
 
-def _options(
-    task: LayerTask, base: Bars, additions: list[Bars], steel: Reinforcement, rule: DetailingRule
-) -> Options:
+def _options(task: LayerTask, base: Bars, additions: list[Bars], steel: Reinforcement, rule: DetailingRule) -> Options:
     """Return the bars that zones may have beside a base, with their lengths in cells."""
     step = task.grid.step
     apart = [base.spacing / (MULTIPLES[round(bars.spacing / base.spacing, 3)] + 1) for bars in additions]
     anchorage = [
-        rule.anchorage(steel, task.bar(bars.diameter, distance)) for bars, distance in zip(additions, apart, strict=True)
+        rule.anchorage(steel, task.bar(bars.diameter, distance))
+        for bars, distance in zip(additions, apart, strict=True)
     ]
     least = max(1, math.ceil(steel.proposal.least_size / step - ROUNDING))
     area = np.array([bar_area(bars) for bars in additions])

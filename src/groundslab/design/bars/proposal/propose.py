@@ -9,7 +9,7 @@ from functools import cache, partial
 
 import numpy as np
 
-from groundslab.arrays import Array
+from groundslab.arrays import Array, Flags
 from groundslab.design.bars.proposal.layer_bars import LayerProposal, LayerTask, propose_layer
 from groundslab.design.bars.proposal.links import punching_links
 from groundslab.design.bars.proposal.plan_grid import CellValues, locate_cells, make_grid, symmetric_axes
@@ -54,6 +54,8 @@ class BarProposal:
     required : dict of str to float
         By layer, what is required at the points of the mesh over the plan, without minimum where a face is surely
         never in tension [m3].
+    with_least : dict of str to float
+        By layer, the same with the code's least area at every point, in tension or not [m3].
     laid : dict of str to float
         By layer, the steel of base and zones over the plan, anchorage of zones included, laps not [m3].
     links : tuple of LinkLayout
@@ -65,6 +67,7 @@ class BarProposal:
 
     model: Model
     required: dict[str, float]
+    with_least: dict[str, float]
     laid: dict[str, float]
     links: tuple[LinkLayout, ...] = ()
     remarks: tuple[str, ...] = ()
@@ -210,25 +213,30 @@ def _requirements(results: Results, steel: Reinforcement) -> dict[str, Array]:
         if np.isinf(needs[layer]).any():
             _refuse(layer, needs[layer], plate.nodes, steel, rule)
     for result in ultimate_results(results):
-        for layer, least in _least_areas(result, steel).items():
-            needs[layer] = np.maximum(needs[layer], least)
+        least, tension = _least_areas(result, steel), _may_be_in_tension(result)
+        for layer in LAYERS:
+            needs[layer] = np.maximum(needs[layer], np.where(tension[layer], least[layer], 0.0))
     return needs
 
 
 def _least_areas(result: CombinationResult, steel: Reinforcement) -> dict[str, Array]:
-    """Return the minimum (n,) [m2/m] by layer where the moments of a face, or their errors, may put it in tension."""
-    plate = result.plate
-    thickness, _ = result.elements.at_nodes(plate)
+    """Return the minimum (n,) [m2/m] by layer."""
+    thickness, _ = result.elements.at_nodes(result.plate)
     minimum = code_of(steel).bending(steel, result.limit_state).minimum
-    errors = moment_errors(result)
-    least = {}
+    return {layer: minimum(thickness - axis_of(steel, layer), thickness) for layer in LAYERS}
+
+
+def _may_be_in_tension(result: CombinationResult) -> dict[str, Flags]:
+    """Return where moments of a face, or their errors, may put it in tension (n,), by layer."""
+    plate, errors = result.plate, moment_errors(result)
+    where = {}
     for layer in LAYERS:
         name = f"moment_{layer[-1]}"
         moment, twist = getattr(plate, name), np.abs(plate.moment_xy)
         tension = (moment if layer.startswith("bottom") else -moment) + twist
         margin = errors[name] + NEAR_TENSION * float((np.abs(moment) + twist).max())
-        least[layer] = np.where(tension + margin > 0, minimum(thickness - axis_of(steel, layer), thickness), 0.0)
-    return least
+        where[layer] = np.asarray(tension + margin > 0)
+    return where
 
 
 def _refuse(layer: str, needs: Array, nodes: Array, steel: Reinforcement, rule: DetailingRule) -> LayerProposal:
@@ -357,6 +365,8 @@ def _proposal(results: Results, found: Reinforcement, needs: dict[str, Array], r
             if layer in zone.layers:
                 laid[layer] += bar_area(zone.bars) * float(polygon_of(zone.shape.ring()).intersection(region.area).area)
     required = {layer: float((needs[layer] * plate.area).sum()) for layer in LAYERS}
+    least = _least_areas(ultimate_results(results)[0], found)
+    with_least = {layer: float((np.maximum(needs[layer], least[layer]) * plate.area).sum()) for layer in LAYERS}
     off = [check for check in model.checks.off if any(check.covers(name, check.of) for name in PUNCHING)]
     links = [
         layout
@@ -375,7 +385,7 @@ def _proposal(results: Results, found: Reinforcement, needs: dict[str, Array], r
     ]
     with_links = found.model_copy(update={"links": tuple(given), "proposal": steel.proposal})
     model = model.model_copy(update={"reinforcement": with_links})
-    return BarProposal(model, required, laid, tuple(links), tuple(remarks))
+    return BarProposal(model, required, with_least, laid, tuple(links), tuple(remarks))
 
 
 def _one_if_alike(legs: tuple[int, ...]) -> tuple[int, ...]:
