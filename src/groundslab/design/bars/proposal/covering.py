@@ -15,6 +15,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 
@@ -24,6 +25,8 @@ from groundslab.design.bars.proposal.plan_grid import Window
 #: Where there are more zones than allowed, their price grows by this factor, so many times at most, from a share of the
 #: steel of the strongest bars all over the plan at least.
 GROWTH, TRIALS, LEAST_PRICE = 1.4, 30, 1e-3
+#: Numbers, whole numbers or flags.
+Values = np.ndarray[Any, Any]
 #: What counts as rounding, in cells, and relative.
 IN_CELLS, ROUNDING = 1e-6, 1e-9
 
@@ -139,7 +142,7 @@ class _Pairs:
         length = np.repeat(np.arange(1, n + 1), np.arange(n, 0, -1))
         return self.lines[start], self.lines[start + length]
 
-    def over(self, of: np.ufunc, values: Array) -> Array:
+    def over(self, of: np.ufunc, values: Values) -> Values:
         """Return the least or the largest of values (n, ...) of blocks over each interval (p, ...)."""
         grown = [values]
         for length in range(1, self.blocks):
@@ -209,11 +212,11 @@ def _zones_of_windows(field: Field, options: Options, blocks: int) -> _Windows:
     share = field.excess[..., None] / options.area  # (m, w, o)
     none = share <= 0
     place, (start, end) = np.arange(m)[:, None, None], (side[..., None] for side in field.runs)
-    low = np.where(none, m, np.maximum(place - share * options.anchorage, start))
-    high = np.where(none, 0, np.minimum(place + 1 + share * options.anchorage, end))
+    begin = np.where(none, m, np.maximum(place - share * options.anchorage, start))
+    after = np.where(none, 0, np.minimum(place + 1 + share * options.anchorage, end))
     needed, column = field.excess > 0, np.arange(w)
 
-    def over(of: np.ufunc, values: Array) -> Array:
+    def over(of: np.ufunc, values: Values) -> Values:
         in_rows = of.reduceat(values, along.lines[:-1], axis=0)
         in_blocks = of.reduceat(in_rows, across.lines[:-1], axis=1)
         return np.swapaxes(across.over(of, np.swapaxes(along.over(of, in_blocks), 0, 1)), 0, 1)
@@ -221,20 +224,19 @@ def _zones_of_windows(field: Field, options: Options, blocks: int) -> _Windows:
     first, last = over(np.minimum, np.where(needed, column, w)), over(np.maximum, np.where(needed, column + 1, 0))
     (i0, i1), (j0, j1) = along.ends(), across.ends()
     every = field.every
-    low = np.floor((over(np.minimum, low) + IN_CELLS) / every).astype(int) * every
-    high = np.ceil((over(np.maximum, high) - IN_CELLS) / every).astype(int) * every
+    low = np.floor((over(np.minimum, begin) + IN_CELLS) / every).astype(int) * every
+    high = np.ceil((over(np.maximum, after) - IN_CELLS) / every).astype(int) * every
     rows, folded = (i0[:, None, None], i1[:, None, None]), field.folded
     low, high, fits = _at_least(low, high, rows, options.least[0], every, m, folded=folded[0])
     first, last, fits_across = _at_least(first, last, (j0, j1), options.least[1], 1, w, folded=folded[1])
     enough = (over(np.maximum, share) <= 1 + ROUNDING) & fits & fits_across[..., None]
     option = np.argmin(np.where(enough, options.area * (high - low), np.inf), axis=2)
-    low, high, enough = (
-        np.take_along_axis(values, option[..., None], axis=2)[..., 0] for values in (low, high, enough)
-    )
+    chosen = (*np.ogrid[: len(i0), : len(j0)], option)
+    low, high = low[chosen], high[chosen]
     before = field.area_before
     low, high, first, last = (np.clip(side, 0, size) for side, size in ((low, m), (high, m), (first, w), (last, w)))
     covered = before[high, last] - before[low, last] - before[high, first] + before[low, first]
-    steel = np.where(enough, options.area[option] * covered, np.inf)
+    steel = np.where(enough[chosen], options.area[option] * covered, np.inf)
     count = (1 + (folded[0] & (low > 0))) * (1 + (folded[1] & (first > 0)))
     return _Windows((along, across), over(np.logical_or, needed), steel, count, option, (low, high, first, last))
 

@@ -47,6 +47,8 @@ class LayerTask:
         Whether that is the top.
     diameters, spacings : tuple of float
         That are allowed, of the base [m].
+    least : float
+        What the base has at least, if any that is allowed has so much [m2/m].
     farthest : callable
         Of a diameter: the largest distance of bars for cracks [m].
     """
@@ -59,6 +61,7 @@ class LayerTask:
     at_top: bool
     diameters: tuple[float, ...]
     spacings: tuple[float, ...]
+    least: float = 0.0
     farthest: Callable[[float], float] = lambda _: math.inf
 
     def bar(self, diameter: float, spacing: float) -> EndingBar:
@@ -154,7 +157,9 @@ def _candidates(task: LayerTask, steel: Reinforcement, rule: DetailingRule) -> I
         for thickest in task.diameters
         for spacing in task.spacings
     }
-    for base in _bases(task, steel, rule):
+    bases = list(_bases(task, steel, rule))
+    enough = [base for base in bases if bar_area(base) >= task.least * (1 - ROUNDING)]
+    for base in enough or bases:
         last: Array | None = None
         for thickest in (diameter for diameter in reversed(task.diameters) if diameter >= base.diameter):
             needs = shifted[thickest, base.spacing]

@@ -264,7 +264,8 @@ def _task(
     cells: CellValues,
 ) -> LayerTask:
     """Return what the bars of a layer are chosen for, with what they need (n,) [m2/m] at the nodes without cracks."""
-    thickness = ultimate_results(results)[0].elements.at_nodes(cells.plate)[0]
+    first = ultimate_results(results)[0]
+    thickness = first.elements.at_nodes(cells.plate)[0]
     farthest = rule.spacing(steel, float(thickness.min()))
     spacings = tuple(s for s in steel.proposal.spacings if s <= farthest + ROUNDING)
     if not spacings:
@@ -294,6 +295,8 @@ def _task(
         at_top=layer.startswith("top"),
         diameters=_diameters(steel, layer, rule),
         spacings=spacings,
+        # of the thinnest part, so that zones are few
+        least=float(_least_areas(first, steel)[layer].min()) if needs.any() else 0.0,
     )
 
 

@@ -1,4 +1,4 @@
-"""Zones of additional bars: they cover any need, none lies over another, and of all divisions by cuts none is better."""
+"""Zones of additional bars cover any need, none lies over another, and no division by cuts is better."""
 
 from __future__ import annotations
 
