@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 import math
+import re
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -373,7 +374,13 @@ def test_command_writes_a_case_that_reads_back(tmp_path: Path, capsys: pytest.Ca
     assert model.reinforcement.laid
     assert model.reinforcement.detailing is not None
     assert model.model_copy(update={"reinforcement": None}) == raft(STEEL).model_copy(update={"reinforcement": None})
-    assert "bottom x" in capsys.readouterr().err
+    said = capsys.readouterr().err
+    assert "bottom x" in said
+    assert re.search(r"all layers: \d+ kg without laps, \d+ % more than \d+ kg for bending and least areas", said)
+    # all that is open with these bars is named
+    open_checks = check_design(replace(solve_once(raft(STEEL)), model=model)).open
+    assert open_checks
+    assert all(f"{check.status}: {check.name}" in said for check in open_checks)
     assert main.main(["propose-bars", str(case), "-o", str(target)]) == 2
 
 
