@@ -50,13 +50,12 @@ def run(options: argparse.Namespace) -> int:
     write_or_print(with_reinforcement(text, proposal.reinforcement, _folder(path)), options.out)
     units = proposal.model.units
     print_stderr("\n".join(words_in(line, units) for line in _words(proposal, units)))
-    checks = check_design(replace(results, model=proposal.model)).checks
-    failing = [check for check in checks if check.status == "fails"]
-    for check in failing:
-        print_stderr(f"fails: {check.name}: {check.words}")
+    design = check_design(replace(results, model=proposal.model))
+    for check in design.open:
+        print_stderr(f"{check.status}: {check.name}: {check.words}")
     if options.out is not None:
         print_stderr(f"wrote {options.out}; next: groundslab solve {options.out}")
-    if failing:
+    if any(check.status == "fails" for check in design.open):
         return EXIT_DESIGN_FAILS
     return EXIT_NO_RESULT if results.unsolved else EXIT_OK
 
@@ -82,31 +81,47 @@ def _results(path: Path) -> tuple[Results, str]:
 
 def _words(proposal: BarProposal, units: System) -> Iterator[str]:
     """Yield what is proposed, a line for each layer and zone."""
-    steel = proposal.reinforcement
+    steel, laps = proposal.reinforcement, _laps(proposal)
     for layer, volume in proposal.laid.items():
         base = steel.base_bars(layer)
         assert base is not None
         zones = [zone for zone in steel.zones if layer in zone.layers]
         yield (
             Message(
-                "{layer}: {bars}, {zones}; {laid:.0f kg} without laps, required {required:.0f kg}",
-                layer=layer.replace("_", " "), bars=_bars(base, units),
+                "{layer}: {bars}{laps}, {zones}; {laid:.0f kg} without laps, required {required:.0f kg}",
+                layer=layer.replace("_", " "), bars=_bars(base, units), laps=laps.get((layer, ""), ""),
                 zones=f"{len(zones)} zone{'s' * (len(zones) != 1)}", laid=volume * _KG,
                 required=proposal.required[layer] * _KG,
             )
         )  # fmt: skip
-        yield from (_zone(zone, units) for zone in zones)
+        yield from (_zone(zone, units, laps.get((layer, zone.name), "")) for zone in zones)
+    laid, least = (sum(volumes.values()) for volumes in (proposal.laid, proposal.with_least))
+    yield Message(
+        "all layers: {laid:.0f kg} without laps, {more:.0f} % more than {least:.0f kg} for bending and least areas",
+        laid=laid * _KG, more=(laid / least - 1) * 100, least=least * _KG,
+    )  # fmt: skip
     yield from (_links(layout, units) for layout in proposal.links)
     yield from (_beam_links(links, units) for links in steel.beam_links)
     yield from (Message("note: {remark}", remark=remark) for remark in proposal.remarks)
 
 
-def _zone(zone: BarZone, units: System) -> str:
+def _laps(proposal: BarProposal) -> dict[tuple[str, str], str]:
+    """Return how bars lap that are longer than those delivered, by layer and zone, the base being without a name."""
+    from groundslab.design.bars.positions import STRAIGHT, positions
+
+    return {
+        (position.layer, position.zone): Message(" lapped by {lap:.2f m}", lap=position.lap)
+        for position in positions(proposal.model)
+        if position.shape == STRAIGHT and position.lap is not None
+    }
+
+
+def _zone(zone: BarZone, units: System, laps: str) -> str:
     """Return a zone in words."""
     x0, x1, y0, y1 = zone.shape.ring().bounds
     return Message(
-        "  {zone}: {bars}, x {x0:g (m)} to {x1:g m}, y {y0:g (m)} to {y1:g m}",
-        zone=Name(zone.name), bars=_bars(zone.bars, units), x0=x0, x1=x1, y0=y0, y1=y1,
+        "  {zone}: {bars}{laps}, x {x0:g (m)} to {x1:g m}, y {y0:g (m)} to {y1:g m}",
+        zone=Name(zone.name), bars=_bars(zone.bars, units), laps=laps, x0=x0, x1=x1, y0=y0, y1=y1,
     )  # fmt: skip
 
 

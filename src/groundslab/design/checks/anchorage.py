@@ -119,7 +119,7 @@ class _Layer(NamedTuple):
         apart = float((self.laid.clear[inside] + self.laid.thickest[inside]).min())
         l_b = self.rule.anchorage(self.steel, EndingBar(bars.diameter, axis, apart, below, most - below))
         ends = [np.where(at_edge & self.held, np.inf, way) for way, at_edge in (before, after)]
-        a_l = self.rule.shift(most - axis, bars.diameter)
+        a_l = self.rule.shift(self.thickness[inside] - axis, bars.diameter)
         developed[inside] = bar_area(bars) * np.clip((np.minimum(*ends) - a_l) / l_b, 0.0, 1.0)
         return developed
 

@@ -43,7 +43,7 @@ class DetailingRule:
         Of materials and a bar: the length [m] that develops its design strength, and that of a lap of all bars in one
         section.
     shift : callable
-        Of an effective depth and a diameter [m]: how far along the bars a moment counts [m].
+        Of effective depths (n,) and a diameter [m]: how far along the bars moments count (n,) [m].
     least_cover : callable
         Of materials, a layer and a diameter [m]: the cover that it must have [m]; None where the code has none.
     least_clear : callable
@@ -63,7 +63,7 @@ class DetailingRule:
 
     anchorage: Callable[[Reinforcement, EndingBar], float]
     lap: Callable[[Reinforcement, EndingBar], float]
-    shift: Callable[[float, float], float]
+    shift: Callable[[Array, float], Array]
     least_cover: Callable[[Reinforcement, str, float], float | None]
     least_clear: Callable[[Reinforcement, float], float]
     spacing: Callable[[Reinforcement, float], float]

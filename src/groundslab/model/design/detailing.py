@@ -38,7 +38,7 @@ class AllowedBars(Section):
             "diameters of the bars; with US units by default #4 to #8",
             rising=True,
         ),
-    ] = (0.010, 0.012, 0.014, 0.016, 0.020, 0.025)
+    ] = (0.008, 0.010, 0.012, 0.014, 0.016, 0.020, 0.025)
     spacings: Annotated[
         tuple[float, ...],
         ListOf(
@@ -48,17 +48,18 @@ class AllowedBars(Section):
             rising=True,
         ),
     ] = (0.100, 0.125, 0.150, 0.175, 0.200, 0.225, 0.250)
-    most_zones: Annotated[int, Integer("zones of additional bars in a layer", at_least=0, at_most=MOST_ZONES)] = 6
+    most_zones: Annotated[int, Integer("zones of additional bars in a layer", at_least=0, at_most=MOST_ZONES)] = 12
     least_saving: Annotated[
         float,
         Number("", "share of a layer's steel that each zone must save", Range(at_least=0, at_most=1)),
-    ] = 0.02
+    ] = 0.01
     rounding: Annotated[
         float,
         Quantity(
             "length",
             "",
-            "zones' borders lie at multiples of it from the slab's lower left corner; with US units by default 1 ft",
+            "zones' borders lie at multiples of it from the slab's lower left corner, or from its middle where the "
+            "zones are symmetric; with US units by default 1 ft",
             STEP,
             example="50 mm",
         ),

@@ -1,7 +1,12 @@
-"""A slab's plan as cells along the axes, and what bars need in each of them."""
+"""A slab's plan as cells along the axes, and what bars need in each of them.
+
+Where what is needed is symmetric about the middle of the plan, the two halves are folded onto each other: a cell stands
+for itself and its image, with the larger need of both, so that what is found for it is symmetric.
+"""
 
 from __future__ import annotations
 
+import itertools
 import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
@@ -16,37 +21,63 @@ if TYPE_CHECKING:
     from shapely.geometry.base import BaseGeometry
 
 #: Cells of a plan at most: beyond, they are two, three, ... times as wide as the rounding.
-MOST_CELLS = 3_000
+MOST_CELLS = 10_000
 #: Finer cells over one, along and across.
 PARTS = 3
 #: A place is on a line between cells if it is no farther from it than this over the width of a cell.
 ON_LINE = 1e-6
+#: Needs are symmetric if each is at most this share more than the largest ones so many cells around its image: where
+#: they jump, meshes that are not symmetric move the jump.
+SYMMETRIC, NEAR = 0.05, 2
+
+#: First and last cell along x and y, the last one excluded.
+Window = tuple[int, int, int, int]
+#: A rectangle by its sides along x and y [m].
+Rectangle = tuple[tuple[float, float], tuple[float, float]]
 
 
 @dataclass(frozen=True, slots=True)
 class PlanGrid:
-    """Cells of one width over the bounds of a plan, from its lower left corner.
+    """Cells of one width over a plan: from its lower left corner, along folded axes from its middle.
 
     Attributes
     ----------
-    origin : tuple of float
-        That corner [m].
+    bounds : tuple of float
+        Of the plan: the lower and the upper one along x, then along y [m].
     step : float
         Width of a cell along both axes [m].
     area : array (n_x, n_y)
-        What of each cell is in the plan [m2].
+        What of each cell and of its images is in the plan [m2].
+    folded : tuple of bool
+        Along which axes a cell has an image on the other side of the middle.
     """
 
-    origin: tuple[float, float]
+    bounds: tuple[float, float, float, float]
     step: float
     area: Array
+    folded: tuple[bool, bool] = (False, False)
 
-    def line(self, axis: int, number: int) -> float:
-        """Return where a line between cells is along an axis [m], to the micrometer."""
-        return round(self.origin[axis] + number * self.step, 6)
+    def origin(self, axis: int) -> float:
+        """Return where cells begin along an axis [m]."""
+        low, high = self.bounds[2 * axis : 2 * axis + 2]
+        return (low + high) / 2 if self.folded[axis] else low
+
+    def rectangles(self, cells: Window) -> list[Rectangle]:
+        """Return the sides along x and y [m] of a rectangle of cells and of its images, to the micrometer."""
+        return list(itertools.product(self._sides(0, *cells[:2]), self._sides(1, *cells[2:])))
+
+    def _sides(self, axis: int, first: int, last: int) -> list[tuple[float, float]]:
+        """Return the sides of cells along an axis [m], from below; those that begin at the middle are one side."""
+        origin, (low, high) = self.origin(axis), self.bounds[2 * axis : 2 * axis + 2]
+        before, after = origin + first * self.step, origin + last * self.step
+        sides = [(before, after)]
+        if self.folded[axis]:
+            image = 2 * origin - after
+            sides = [(image, 2 * origin - before), *sides] if first > 0 else [(image, after)]
+        return [(round(max(start, low), 6), round(min(end, high), 6)) for start, end in sides]
 
 
-def make_grid(area: BaseGeometry, rounding: float) -> PlanGrid:
+def make_grid(area: BaseGeometry, rounding: float, folded: tuple[bool, bool] = (False, False)) -> PlanGrid:
     """Return the cells of a plan, as wide as the rounding [m] or, of a large one, a multiple of it."""
     from shapely import area as area_of
     from shapely import box, intersection
@@ -55,9 +86,13 @@ def make_grid(area: BaseGeometry, rounding: float) -> PlanGrid:
     sides = np.array([x1 - x0, y1 - y0])
     times = max(1, math.ceil(math.sqrt(sides.prod() / MOST_CELLS) / rounding))
     step = times * rounding
-    n_x, n_y = (max(1, math.ceil(side / step - ON_LINE)) for side in sides)
-    left, low = np.meshgrid(x0 + step * np.arange(n_x), y0 + step * np.arange(n_y), indexing="ij")
-    return PlanGrid((x0, y0), step, area_of(intersection(box(left, low, left + step, low + step), area)))
+    n_x, n_y = (max(1, math.ceil(side / (1 + fold) / step - ON_LINE)) for side, fold in zip(sides, folded, strict=True))
+    grid = PlanGrid((x0, x1, y0, y1), step, np.zeros((n_x, n_y)), folded)
+    left, low = np.meshgrid(
+        grid.origin(0) + step * np.arange(n_x), grid.origin(1) + step * np.arange(n_y), indexing="ij"
+    )
+    cells = area_of(intersection(box(left, low, left + step, low + step), area)) * (1 + folded[0]) * (1 + folded[1])
+    return PlanGrid(grid.bounds, step, cells, folded)
 
 
 @dataclass(frozen=True, slots=True)
@@ -70,16 +105,16 @@ class CellValues:
         The cells.
     plate : PlateResult
         The plate.
-    where : tuple of arrays
-        The element under the center of each finer cell of the plan, and the place in it.
     centers : array (k, 2)
-        Which of the finer cells these are.
+        The finer cells that are in the plan.
+    where : tuple of tuples of arrays
+        The elements under their centers and those of their images, and the places in them.
     """
 
     grid: PlanGrid
     plate: PlateResult
-    where: MeshLocations
     centers: Integers
+    where: tuple[MeshLocations, ...]
 
     def largest(self, values: Array, axis: int) -> Array:
         """Return the largest of nodal values (n,) in cells, finer along an axis: (PARTS n_x, n_y) or (n_x, PARTS n_y).
@@ -89,8 +124,10 @@ class CellValues:
         n_x, n_y = self.grid.area.shape
         fine = np.zeros((PARTS * n_x, PARTS * n_y))
         mesh = Mesh(self.plate.nodes, self.plate.elements)
-        fine[tuple(self.centers.T)] = np.maximum(interpolate_bilinear(mesh, values, self.where), 0.0)
-        position = (self.plate.nodes - self.grid.origin) / self.grid.step * PARTS
+        for where in self.where:
+            np.maximum.at(fine, tuple(self.centers.T), interpolate_bilinear(mesh, values, where))
+        distance = self.plate.nodes - [self.grid.origin(0), self.grid.origin(1)]
+        position = np.where(self.grid.folded, np.abs(distance), distance) / self.grid.step * PARTS
         low, high = (np.floor(position + side * ON_LINE).astype(int) for side in (-1, 1))
         for i in (low[:, 0], high[:, 0]):
             for j in (low[:, 1], high[:, 1]):
@@ -104,14 +141,41 @@ def locate_cells(grid: PlanGrid, plate: PlateResult) -> CellValues:
     """Return where a plate's nodal values lie in the cells of a plan."""
     inside = np.repeat(np.repeat(grid.area > 0, PARTS, axis=0), PARTS, axis=1)
     centers = np.argwhere(inside)
-    places = np.asarray(grid.origin) + grid.step / PARTS * (centers + 0.5)
-    return CellValues(grid, plate, locate_nearest(Mesh(plate.nodes, plate.elements), places), centers)
+    distance = grid.step / PARTS * (centers + 0.5)
+    origin, mesh = np.array([grid.origin(0), grid.origin(1)]), Mesh(plate.nodes, plate.elements)
+    turns = itertools.product(*((1, -1) if fold else (1,) for fold in grid.folded))
+    where = tuple(locate_nearest(mesh, origin + np.array(turn) * distance) for turn in turns)
+    return CellValues(grid, plate, centers, where)
 
 
-def spread_along(cells: Array, reach: int) -> Array:
-    """Return the largest value of cells (m, w) within so many cells before and after each along the first axis."""
+def symmetric_axes(plan: BaseGeometry, cells: CellValues, needs: Array) -> tuple[bool, bool]:
+    """Return along which axes a plan, in cells from its corner, and what its nodes need (n,) mirror themselves.
+
+    Needs are compared where they are above their mean: what is less, the base covers.
+    """
+    from scipy.ndimage import maximum_filter
+    from shapely.affinity import scale
+
+    n_x, n_y = cells.grid.area.shape
+    of_cells = cells.largest(needs, 0).reshape(n_x, PARTS, n_y).max(axis=1)
+    above = np.maximum(of_cells, of_cells[cells.grid.area > 0].mean())
+    near = maximum_filter(above, 2 * NEAR + 1) * (1 + SYMMETRIC)
+    x0, x1, y0, y1 = cells.grid.bounds
+
+    def mirrored(axis: int) -> bool:
+        turn = (-1.0, 1.0) if axis == 0 else (1.0, -1.0)
+        image = scale(plan, *turn, origin=((x0 + x1) / 2, (y0 + y1) / 2))
+        same_plan = plan.symmetric_difference(image).area <= ON_LINE * plan.area
+        return same_plan and bool((np.flip(above, axis) <= near).all())
+
+    return mirrored(0), mirrored(1)
+
+
+def spread_along(cells: Array, reach: Array) -> Array:
+    """Return the largest value of cells (m, w) that reach to each along the first axis, by whole cells (m, w) each."""
     spread = cells.copy()
-    for shift in range(1, min(reach, len(cells) - 1) + 1):
-        spread[shift:] = np.maximum(spread[shift:], cells[:-shift])
-        spread[:-shift] = np.maximum(spread[:-shift], cells[shift:])
+    for shift in range(1, min(int(reach.max(initial=0)), len(cells) - 1) + 1):
+        far = np.where(reach >= shift, cells, 0.0)
+        spread[shift:] = np.maximum(spread[shift:], far[:-shift])
+        spread[:-shift] = np.maximum(spread[:-shift], far[shift:])
     return spread

@@ -9,12 +9,12 @@ from functools import cache, partial
 
 import numpy as np
 
-from groundslab.arrays import Array
+from groundslab.arrays import Array, Flags
 from groundslab.design.bars.beam_bars import strip_areas
 from groundslab.design.bars.proposal.beam_links import beam_links
 from groundslab.design.bars.proposal.layer_bars import LayerProposal, LayerTask, propose_layer
 from groundslab.design.bars.proposal.links import punching_links
-from groundslab.design.bars.proposal.plan_grid import CellValues, PlanGrid, locate_cells, make_grid
+from groundslab.design.bars.proposal.plan_grid import CellValues, locate_cells, make_grid, symmetric_axes
 from groundslab.design.bars.required_bars import largest_areas, required_areas
 from groundslab.design.codes.registry import code_of
 from groundslab.design.rules.combinations import ultimate_results
@@ -57,6 +57,8 @@ class BarProposal:
     required : dict of str to float
         By layer, what is required at the points of the mesh over the plan, without minimum where a face is surely
         never in tension [m3].
+    with_least : dict of str to float
+        By layer, the same with the code's least area at every point, in tension or not [m3].
     laid : dict of str to float
         By layer, the steel of base and zones over the plan, anchorage of zones included, laps not [m3].
     links : tuple of LinkLayout
@@ -68,6 +70,7 @@ class BarProposal:
 
     model: Model
     required: dict[str, float]
+    with_least: dict[str, float]
     laid: dict[str, float]
     links: tuple[LinkLayout, ...] = ()
     remarks: tuple[str, ...] = ()
@@ -116,22 +119,20 @@ def propose_bars(results: Results) -> BarProposal:
     steel, code = _steel_and_code(results)
     rule, plate = code.detailing, ultimate_results(results)[0].plate
     assert rule is not None
-    region = get_plate_region(results.model.plate, results.model.plates)
-    grid = make_grid(region.area, steel.proposal.rounding)
-    cells = locate_cells(grid, plate)
+    plan = get_plate_region(results.model.plate, results.model.plates).area
+    cells_of = cache(lambda folded: locate_cells(make_grid(plan, steel.proposal.rounding, folded), plate))
     needs = _requirements(results, steel)
-    thickness = ultimate_results(results)[0].elements.at_nodes(plate)[0]
-    between = float(thickness.min()), float(thickness.max())
     axes = {layer: axis_of(steel, layer) for layer in LAYERS}
     for _ in range(MOST_ROUNDS):
         layers, remarks = dict[str, LayerProposal](), list[str]()
         for layer in LAYERS:
-            task = _task(results, steel, layer, needs[layer], between, rule, cells)
+            cells = cells_of(symmetric_axes(plan, cells_of((False, False)), needs[layer]))
+            task = _task(results, steel, layer, needs[layer], rule, cells)
             task = replace(task, farthest=partial(_farthest, steel, rule, axes[layer]))
-            proposed, missed = _propose(task, layer, grid, steel, rule)
+            proposed, missed = _propose(task, layer, steel, rule)
             remarks += missed
             layers[layer] = proposed or _refuse(layer, needs[layer], plate.nodes, steel, rule)
-        found = _with_bars(steel, layers, grid)
+        found = _with_bars(steel, layers)
         more = _requirements(results, found)
         deeper = {layer: max(axes[layer], axis_of(found, layer)) for layer in LAYERS}
         if _enough(found, more, plate.nodes) and (_near(found, rule) or deeper == axes):
@@ -142,7 +143,7 @@ def propose_bars(results: Results) -> BarProposal:
 
 
 def _propose(
-    task: LayerTask, layer: str, grid: PlanGrid, steel: Reinforcement, rule: DetailingRule
+    task: LayerTask, layer: str, steel: Reinforcement, rule: DetailingRule
 ) -> tuple[LayerProposal | None, Sequence[str]]:
     """Return the bars of a layer, None if none are enough, and what they could not keep to."""
     name, every = layer.replace("_", " "), _diameters(steel, layer, rule, crossing=True)
@@ -155,7 +156,7 @@ def _propose(
     for attempt, missed in (
         (task, []), (thick, [crossing]), (far, [apart]), (replace(far, diameters=every), [crossing, apart])
     ):  # fmt: skip
-        proposed = propose_layer(attempt, grid, steel, rule)
+        proposed = propose_layer(attempt, steel, rule)
         if proposed is not None:
             return proposed, missed
     return None, []
@@ -216,25 +217,30 @@ def _requirements(results: Results, steel: Reinforcement) -> dict[str, Array]:
         if np.isinf(needs[layer]).any():
             _refuse(layer, needs[layer], plate.nodes, steel, rule)
     for result in ultimate_results(results):
-        for layer, least in _least_areas(result, steel).items():
-            needs[layer] = np.maximum(needs[layer], least)
+        least, tension = _least_areas(result, steel), _may_be_in_tension(result)
+        for layer in LAYERS:
+            needs[layer] = np.maximum(needs[layer], np.where(tension[layer], least[layer], 0.0))
     return needs
 
 
 def _least_areas(result: CombinationResult, steel: Reinforcement) -> dict[str, Array]:
-    """Return the minimum (n,) [m2/m] by layer where the moments of a face, or their errors, may put it in tension."""
-    plate = result.plate
-    thickness, _ = result.elements.at_nodes(plate)
+    """Return the minimum (n,) [m2/m] by layer."""
+    thickness, _ = result.elements.at_nodes(result.plate)
     minimum = code_of(steel).bending(steel, result.limit_state).minimum
-    errors = moment_errors(result)
-    least = {}
+    return {layer: minimum(thickness - axis_of(steel, layer), thickness) for layer in LAYERS}
+
+
+def _may_be_in_tension(result: CombinationResult) -> dict[str, Flags]:
+    """Return where moments of a face, or their errors, may put it in tension (n,), by layer."""
+    plate, errors = result.plate, moment_errors(result)
+    where = {}
     for layer in LAYERS:
         name = f"moment_{layer[-1]}"
         moment, twist = getattr(plate, name), np.abs(plate.moment_xy)
         tension = (moment if layer.startswith("bottom") else -moment) + twist
         margin = errors[name] + NEAR_TENSION * float((np.abs(moment) + twist).max())
-        least[layer] = np.where(tension + margin > 0, minimum(thickness - axis_of(steel, layer), thickness), 0.0)
-    return least
+        where[layer] = np.asarray(tension + margin > 0)
+    return where
 
 
 def _refuse(layer: str, needs: Array, nodes: Array, steel: Reinforcement, rule: DetailingRule) -> LayerProposal:
@@ -258,14 +264,16 @@ def _task(
     steel: Reinforcement,
     layer: str,
     needs: Array,
-    thickness: tuple[float, float],
     rule: DetailingRule,
     cells: CellValues,
 ) -> LayerTask:
     """Return what the bars of a layer are chosen for, with what they need (n,) [m2/m] at the nodes without cracks."""
-    spacings = tuple(s for s in steel.proposal.spacings if s <= rule.spacing(steel, thickness[0]) + ROUNDING)
+    first = ultimate_results(results)[0]
+    thickness = first.elements.at_nodes(cells.plate)[0]
+    farthest = rule.spacing(steel, float(thickness.min()))
+    spacings = tuple(s for s in steel.proposal.spacings if s <= farthest + ROUNDING)
     if not spacings:
-        hint = Message("at most {spacing:.4g mm} is allowed", spacing=rule.spacing(steel, thickness[0]) * 1e3)
+        hint = Message("at most {spacing:.4g mm} is allowed", spacing=farthest * 1e3)
         raise InputError([Issue("reinforcement.proposal.spacings", "none that the code allows", "smaller ones", hint)])
     axis = "xy".index(layer[-1])
 
@@ -283,13 +291,16 @@ def _task(
         return along(np.maximum(needs, of_cracks)) if (of_cracks > needs).any() else without_cracks
 
     return LayerTask(
+        grid=cells.grid,
         needs=of_cells,
+        thickness=along(thickness),
         axis=axis,
         distance=axis_of(steel, layer),
         at_top=layer.startswith("top"),
-        thickness=thickness,
         diameters=_diameters(steel, layer, rule),
         spacings=spacings,
+        # of the thinnest part, so that zones are few
+        least=float(_least_areas(first, steel)[layer].min()) if needs.any() else 0.0,
     )
 
 
@@ -317,16 +328,15 @@ def _diameters(steel: Reinforcement, layer: str, rule: DetailingRule, *, crossin
     return tuple(allowed) or diameters[:1]
 
 
-def _with_bars(steel: Reinforcement, layers: dict[str, LayerProposal], grid: PlanGrid) -> Reinforcement:
+def _with_bars(steel: Reinforcement, layers: dict[str, LayerProposal]) -> Reinforcement:
     """Return the reinforcement with proposed bars in place of its own, at the depth that the thickest of them have."""
     zones = []
     for layer, proposed in layers.items():
-        for number, (bars, (i0, i1, j0, j1)) in enumerate(proposed.zones, start=1):
-            sides = {"x": (grid.line(0, i0), grid.line(0, i1)), "y": (grid.line(1, j0), grid.line(1, j1))}
+        for number, (bars, (x, y)) in enumerate(proposed.zones, start=1):
             zones.append(
                 BarZone(
                     name=f"{layer.replace('_', ' ')} {number}",
-                    shape={"kind": "rectangle", **sides},
+                    shape={"kind": "rectangle", "x": x, "y": y},
                     layers=(layer,),
                     diameter=bars.diameter,
                     spacing=bars.spacing,
@@ -363,6 +373,8 @@ def _proposal(results: Results, found: Reinforcement, needs: dict[str, Array], r
             if layer in zone.layers:
                 laid[layer] += bar_area(zone.bars) * float(polygon_of(zone.shape.ring()).intersection(region.area).area)
     required = {layer: float((needs[layer] * plate.area).sum()) for layer in LAYERS}
+    least = _least_areas(ultimate_results(results)[0], found)
+    with_least = {layer: float((np.maximum(needs[layer], least[layer]) * plate.area).sum()) for layer in LAYERS}
     off = [check for check in model.checks.off if any(check.covers(name, check.of) for name in PUNCHING)]
     links = [
         layout
@@ -384,7 +396,7 @@ def _proposal(results: Results, found: Reinforcement, needs: dict[str, Array], r
     of_beams = tuple(links for links in along if isinstance(links, BeamLinks))
     with_links = found.replace(links=tuple(given), beam_links=of_beams, proposal=steel.proposal)
     model = model.model_copy(update={"reinforcement": with_links})
-    return BarProposal(model, required, laid, tuple(links), tuple(remarks))
+    return BarProposal(model, required, with_least, laid, tuple(links), tuple(remarks))
 
 
 def _one_if_alike(legs: tuple[int, ...]) -> tuple[int, ...]:

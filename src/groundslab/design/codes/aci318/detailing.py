@@ -35,7 +35,7 @@ def _crack_spacing(steel: Reinforcement, cover: float) -> float:
 RULE = DetailingRule(
     anchorage=lambda steel, bar: _length(steel, bar, splice=False),
     lap=lambda steel, bar: _length(steel, bar, splice=True),
-    shift=lambda d, diameter: max(d, BEYOND * diameter),
+    shift=lambda d, diameter: np.maximum(d, BEYOND * diameter),
     least_cover=lambda _, layer, diameter: least_cover(layer, diameter, "SI"),
     least_clear=lambda steel, diameter: max(diameter, CLEAR[0], CLEAR[1] * (steel.aggregate or 0.0)),
     spacing=_spacing,

@@ -11,6 +11,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import cache
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -20,6 +21,9 @@ from groundslab.errors import InputError
 from groundslab.messages import Message
 from groundslab.model.design.laid_bars import DENSITY
 from groundslab.model.design.punching_links import PunchingLinks
+
+if TYPE_CHECKING:
+    from shapely.geometry.base import BaseGeometry
 
 #: Legs are at least so far apart along a perimeter [m], so that concrete gets between them.
 LEAST_APART = 0.1
@@ -145,20 +149,15 @@ def lay_links(demand: LinkDemand, diameters: Sequence[float], covers: tuple[floa
     start = demand.support, demand.name, demand.place, demand.combination, demand.clauses
     if isinstance(arrangement, str):
         return LinkLayout(*start, why=arrangement, unknown=demand.unknown)
-    clear = max(covers) + max(diameters) / 2
-    inner = arrangement.plan.buffer(-clear)
-
-    @cache
-    def chains(distance: float) -> list[Array]:
-        return _chains(arrangement.lines(distance), inner)
-
+    lines = cache(arrangement.lines)
     layouts: list[LinkLayout] = []
     problems: list[str] = []
     leg = arrangement.thickness - sum(covers)
     for diameter in diameters:
+        inner = _inner(arrangement, covers, diameter)
         for rows in arrangement.options(diameter):
             try:
-                perimeters = [_perimeter(row, chains(row.distance), diameter) for row in rows]
+                perimeters = [_perimeter(row, _chains(lines(row.distance), inner), diameter) for row in rows]
             except InputError as error:
                 problems.append(str(error))
                 continue
@@ -179,7 +178,7 @@ def lay_given_links(demand: LinkDemand, given: PunchingLinks, covers: tuple[floa
     start = demand.support, demand.name, demand.place, demand.combination, demand.clauses
     if isinstance(arrangement, str):
         return LinkLayout(*start, why=arrangement, unknown=demand.unknown)
-    inner = arrangement.plan.buffer(-(max(covers) + given.diameter / 2))
+    inner = _inner(arrangement, covers, given.diameter)
     limits, perimeters = [*arrangement.limits(given)], list[LinkPerimeter]()
     for row, count in zip(arrangement.rows(given), given.counts, strict=True):
         try:
@@ -197,6 +196,12 @@ def lay_given_links(demand: LinkDemand, given: PunchingLinks, covers: tuple[floa
         limits.append(LinkLimit(what, perimeter.spacing * 1e3, row.spacing * 1e3, "mm", demand.clauses))
     leg = arrangement.thickness - sum(covers)
     return LinkLayout(*start, given.diameter, leg, tuple(perimeters), limits=tuple(limits))
+
+
+def _inner(arrangement: Arrangement, covers: tuple[float, float], diameter: float) -> BaseGeometry:
+    """Return where legs of a diameter [m] may stand: as far from edges as the larger cover [m] asks."""
+    inner: BaseGeometry = arrangement.plan.buffer(-(max(covers) + diameter / 2))
+    return inner
 
 
 def _given_perimeter(row: LinkRow, parts: list[Array], count: int, of_leg: float) -> LinkPerimeter:
@@ -240,7 +245,7 @@ def _perimeter(row: LinkRow, parts: list[Array], diameter: float) -> LinkPerimet
     return LinkPerimeter(row.distance, length, row.area, provided, max(spacings), row.spacing, places)
 
 
-def _chains(legs: Array, inner: object) -> list[Array]:
+def _chains(legs: Array, inner: BaseGeometry) -> list[Array]:
     """Return the connected parts, each places (k, 2), of pieces (l, 2, 2) [m] within a region, the short ones not."""
     from shapely import get_coordinates, get_parts, intersection, line_merge, linestrings, multilinestrings
 

@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
+import itertools
 import math
+import re
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
+from shapely import box
 
 import groundslab
+from groundslab.analysis.driver import solve
 from groundslab.case import casefile
 from groundslab.cli import main
 from groundslab.cli.propose_bars import _words
@@ -121,14 +125,124 @@ def test_bars_are_enough(steel: dict[str, Any]) -> None:
         assert base.spacing in allowed.spacings
         of_layer = [zone for zone in zones if layer in zone.layers]
         assert len(of_layer) <= allowed.most_zones
+        shapes = [box(x0, y0, x1, y1) for x0, x1, y0, y1 in (zone.shape.ring().bounds for zone in of_layer)]
+        assert not any(one.intersection(other).area > 1e-9 for one, other in itertools.combinations(shapes, 2))
         assert all(zone.bars.spacing / base.spacing in (0.5, 1.0, 2.0) for zone in of_layer)
         for zone in of_layer:
             x0, x1, y0, y1 = zone.shape.ring().bounds
-            # of the slab's lower left corner at (-4, -2.5) m
-            assert np.array([x0 + 4, x1 + 4, y0 + 2.5, y1 + 2.5]) / 0.25 == pytest.approx(
-                np.round(np.array([x0 + 4, x1 + 4, y0 + 2.5, y1 + 2.5]) / 0.25)
-            )
+            # from the slab's middle at (0, 0) m or its corner at (-4, -2.5) m
+            assert np.array([x0, x1, y0, y1]) / 0.25 == pytest.approx(np.round(np.array([x0, x1, y0, y1]) / 0.25))
             assert min(x1 - x0, y1 - y0) >= 1.0 - 1e-9
+
+
+def rectangles(proposal: BarProposal) -> set[tuple[Any, ...]]:
+    """Return the zones of a proposal: layer, bars, and bounds [m]."""
+    return {
+        (*zone.layers, zone.diameter, zone.spacing, *zone.shape.ring().bounds) for zone in proposal.reinforcement.zones
+    }
+
+
+@pytest.mark.parametrize(
+    ("forces", "mirrored"), [((1500e3, 1500e3), (True, True)), ((1500e3, 1300e3), (False, True))], ids=["both", "one"]
+)
+def test_zones_are_symmetric_where_the_slab_is(forces: tuple[float, float], mirrored: tuple[bool, bool]) -> None:
+    """Under equal columns zones mirror themselves about both axes of the slab, under unequal ones about one."""
+    loads = [{"kind": "point", "P": P, "column": name, "case": "G"} for name, P in zip("AB", forces, strict=True)]
+    # 8.1 m and 4.9 m: no multiples of the rounding
+    plate = {"length_x": 8.1, "length_y": 4.9, "thickness": 0.5, "E": 33e9, "nu": 0.2}
+    proposal = propose_bars(solve_once(raft(STEEL, loads=loads, plate=plate)))
+    there = rectangles(proposal)
+    assert len(there) >= 2
+    images = (
+        {(*bars, -x1, -x0, y0, y1) for *bars, x0, x1, y0, y1 in there},
+        {(*bars, x0, x1, -y1, -y0) for *bars, x0, x1, y0, y1 in there},
+    )
+    assert tuple(image == there for image in images) == mirrored
+    # bars that end within the slab are so many quarters of a meter long
+    for layer, *_, x0, x1, y0, y1 in there:
+        low, high, end = (x0, x1, 4.05) if layer.endswith("x") else (y0, y1, 2.45)
+        if -end < low and high < end:
+            assert (high - low) / 0.25 == pytest.approx(round((high - low) / 0.25))
+
+
+def test_steel_is_what_a_known_need_takes_by_hand() -> None:
+    """A moment in a part of the slab takes that part, 2 (a_l + r l_bd) along the bars, and no more than the rounding.
+
+    C30/37, d = 0.45 m, 450 kNm/m: z = 0.94 d, so that A_s = 450e3 / (0.94 x 0.45 x 434.8e6) = 24.5 cm2/m. The base of
+    16 mm at 150 mm has 13.4 cm2/m, a zone of as many bars 13.4 cm2/m more.
+    """
+    steel = {"concrete": "C30/37", "steel": "B500B", "bottom": (0.05, 0.066), "top": (0.05, 0.066)}
+    only = {"diameters": [0.016], "spacings": [0.15], "least_saving": 0.0}
+    model = Model(
+        plate={"length_x": 12, "length_y": 6, "thickness": 0.5, "E": 33e9, "nu": 0.2},
+        ground={"kind": "winkler", "k": 40e6},
+        cases=[{"name": "G"}],
+        loads=[{"kind": "uniform", "q": 20e3, "case": "G"}],
+        combinations=[{"name": "U", "factors": {"G": 1.0}}],
+        reinforcement=steel | {"proposal": only},
+        mesh={"size": 0.5},
+    )
+    solved = solve_once(model)
+    (first,) = solved.results.values()
+    x, y = first.plate.nodes.T
+    # off the middle along both axes: nothing is symmetric
+    bent = (x >= 2.999) & (x <= 4.001) & (y >= 0.999) & (y <= 2.001)
+    zero = np.zeros(len(x))
+    plate = replace(first.plate, moment_x=np.where(bent, 450e3, 0.0), moment_y=zero, moment_xy=zero)
+    changed = replace(solved, results={"U": replace(first, plate=plate, comparison=None)})
+    proposal = propose_bars(changed)
+    of_base, a_l = math.pi * 0.016**2 / 4 / 0.15, 0.45
+    z = 0.45 * (1 - 0.5 * (1 - math.sqrt(1 - 2 * 450e3 / (0.45**2 * 20e6))))  # rectangular stress block, f_cd = 20 MPa
+    share = (450e3 / (z * 500e6 / 1.15) - of_base) / of_base
+    assert 0.5 < share < 1  # not bars twice as far apart
+    # c_d = half of 75 mm less 16 mm; f_bd = 2.25 x 0.7 x 2.896 / 1.5 MPa
+    l_bd = (1 - 0.15 * (29.5 - 16) / 16) * 0.016 / 4 * (500 / 1.15) / (2.25 * 0.7 * 2.8965 / 1.5)
+    (zone,) = (zone for zone in proposal.reinforcement.zones if zone.layers == ("bottom_x",))
+    x0, x1, y0, y1 = zone.shape.ring().bounds
+    reach = a_l + share * l_bd
+    for needed, laid in ((3 - reach, x0), (-4 - reach, -x1), (1, y0), (-2, -y1)):
+        # to the nodes around the part, 0.25 m away, the moment falls to nothing; a cell is 0.25 m wide
+        assert needed - 0.25 - 0.25 - 0.25 / 3 <= laid <= needed + 1e-9
+    assert proposal.laid["bottom_x"] == pytest.approx(of_base * (12 * 6 + (x1 - x0) * (y1 - y0)))
+
+
+@pytest.mark.slow
+def test_what_is_proposed_passes_all_checks_when_it_is_solved_again() -> None:
+    """Bars, cracks, anchorage, punching with links and shear: nothing of a proposal fails or is in doubt."""
+    cases = [{"name": "G"}, {"name": "Q", "action": "variable"}]
+    loads = [
+        {"kind": "point", "P": P, "column": name, "case": case}
+        for name in "AB"
+        for case, P in (("G", 1e6), ("Q", 350e3))
+    ]
+    model = raft(STEEL | BARS | {"w_max": 0.3e-3}, cases=cases, loads=loads)
+    again = solve(propose_bars(solve_once(model)).model)
+    design = check_design(again)
+    judged = {check.name for check in design.checks if check.status == "no failure found"}
+    layers = {name.replace("_", " ") for name in LAYERS}
+    assert {f"bars at the {name}" for name in layers} <= judged
+    assert {"anchorage of bars", "distance of bars", "links against punching", "least bars for cracks"} <= judged
+    assert "one-way shear" in judged
+    assert {f"crack width at the {name}" for name in ("bottom x", "bottom y")} <= judged
+    assert [check.name for check in design.open] == []
+
+
+def test_laps_are_said_by_layer_and_zone() -> None:
+    """Bars of more than 6 m lap by 1.5 alpha_2 l_b,rqd (8.7.3) of good bond at the bottom, others do not."""
+    results = solve_once(raft(STEEL | {"detailing": {"bar_length": 6.0}}, mesh={"size": 1.0}))
+    proposal = propose_bars(results)
+    said = [*_words(proposal, "SI")]
+    base = proposal.reinforcement.base_bars("bottom_x")
+    assert base is not None
+    zones = [zone.spacing for zone in proposal.reinforcement.zones if zone.layers == ("bottom_x",)]
+    apart = 1 / (1 / base.spacing + sum(1 / spacing for spacing in zones[:1]))
+    phi = base.diameter
+    c_d = min(0.045 - phi / 2, (apart - phi) / 2)
+    alpha_2 = min(1.0, max(0.7, 1 - 0.15 * (c_d - phi) / phi))
+    l_0 = 1.5 * alpha_2 * phi / 4 * (500 / 1.15) / (2.25 * 0.7 * 0.3 * 25 ** (2 / 3) / 1.5)
+    (of_x, of_y) = (next(line for line in said if line.startswith(name)) for name in ("bottom x:", "bottom y:"))
+    assert f"lapped by {l_0:.2f} m" in of_x
+    assert "lapped" not in of_y
 
 
 @pytest.mark.slow
@@ -260,7 +374,13 @@ def test_command_writes_a_case_that_reads_back(tmp_path: Path, capsys: pytest.Ca
     assert model.reinforcement.laid
     assert model.reinforcement.detailing is not None
     assert model.model_copy(update={"reinforcement": None}) == raft(STEEL).model_copy(update={"reinforcement": None})
-    assert "bottom x" in capsys.readouterr().err
+    said = capsys.readouterr().err
+    assert "bottom x" in said
+    assert re.search(r"all layers: \d+ kg without laps, \d+ % more than \d+ kg for bending and least areas", said)
+    # all that is open with these bars is named
+    open_checks = check_design(replace(solve_once(raft(STEEL)), model=model)).open
+    assert open_checks
+    assert all(f"{check.status}: {check.name}" in said for check in open_checks)
     assert main.main(["propose-bars", str(case), "-o", str(target)]) == 2
 
 
