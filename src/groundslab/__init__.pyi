@@ -8,10 +8,10 @@ from .analysis.ground_comparison.comparison import compare_grounds as compare_gr
 from .case.casefile import load as load
 from .design.bars.proposal.links import punching_links as punching_links
 from .design.bars.proposal.propose import BarProposal as BarProposal
-from .design.bars.proposal.propose import propose_bars as propose_bars
 from .design.checks import Design as Design
 from .design.checks import DesignCheck as DesignCheck
 from .design.checks import check_design as check_design
+from .design.proposal import propose_bars as propose_bars
 from .design.rules.punching_links.layout import LinkLayout as LinkLayout
 from .design.rules.punching_links.layout import LinkPerimeter as LinkPerimeter
 from .errors import CertificateWithdrawn as CertificateWithdrawn

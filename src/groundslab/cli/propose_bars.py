@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from groundslab.design.rules.punching_links.layout import LinkLayout
     from groundslab.model.design.bars import Bars, BarZone
     from groundslab.model.design.beam_links import BeamLinks
+    from groundslab.model.design.shear_links import ShearLinks
     from groundslab.results.results import Results
     from groundslab.unit_systems import System
 
@@ -39,8 +40,8 @@ def run(options: argparse.Namespace) -> int:
     from dataclasses import replace
 
     from groundslab.case.editing.reinforcement import with_reinforcement
-    from groundslab.design.bars.proposal.propose import propose_bars
     from groundslab.design.checks import check_design
+    from groundslab.design.proposal import propose_bars
 
     path = Path(options.case)
     results, text = _results(path)
@@ -102,6 +103,7 @@ def _words(proposal: BarProposal, units: System) -> Iterator[str]:
     )  # fmt: skip
     yield from (_links(layout, units) for layout in proposal.links)
     yield from (_beam_links(links, units) for links in steel.beam_links)
+    yield from (_shear_links(links, units) for links in steel.shear_links)
     yield from (Message("note: {remark}", remark=remark) for remark in proposal.remarks)
 
 
@@ -142,6 +144,15 @@ def _beam_links(links: BeamLinks, units: System) -> str:
     return Message(
         "links along {beam}: {legs} legs, {bars}",
         beam=Name(links.of), legs=links.legs, bars=bars_at(links.diameter, links.spacing, units),
+    )  # fmt: skip
+
+
+def _shear_links(links: ShearLinks, units: System) -> str:
+    """Return links against one-way shear in words."""
+    x0, x1, y0, y1 = links.shape.ring().bounds
+    return Message(
+        "{links}: {bars} both ways, x {x0:g (m)} to {x1:g m}, y {y0:g (m)} to {y1:g m}",
+        links=Name(links.name), bars=bars_at(links.diameter, links.spacing_x, units), x0=x0, x1=x1, y0=y0, y1=y1,
     )  # fmt: skip
 
 

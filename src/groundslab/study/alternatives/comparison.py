@@ -12,8 +12,8 @@ from groundslab.case import casefile
 from groundslab.case.editing.case_text import CaseText
 from groundslab.case.editing.reinforcement import with_reinforcement
 from groundslab.design.bars.proposal.links import punching_links
-from groundslab.design.bars.proposal.propose import propose_bars
 from groundslab.design.checks import Design, check_design
+from groundslab.design.proposal import propose_bars
 from groundslab.errors import GroundslabError
 from groundslab.fem.shape_functions import areas
 from groundslab.messages import Message, Name

@@ -150,7 +150,7 @@ def write_document(results: Results, name: str) -> bytes:
 def write_proposal(results: Results, case: str, folder: Path) -> bytes:
     """Return the text of a case with bars that are proposed; relative names of files are those in a folder."""
     from groundslab.case.editing.reinforcement import with_reinforcement
-    from groundslab.design.bars.proposal.propose import propose_bars
+    from groundslab.design.proposal import propose_bars
 
     return with_reinforcement(case, propose_bars(results).reinforcement, folder).encode()
 

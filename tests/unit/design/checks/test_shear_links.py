@@ -7,7 +7,9 @@ from typing import Any
 
 import numpy as np
 import pytest
+from shapely import box, union_all
 
+import groundslab as gs
 from groundslab.design.checks import DesignCheck, check_design
 from groundslab.design.checks.one_way_shear.shear import checks as shear_checks
 from groundslab.design.codes.registry import code_of
@@ -163,3 +165,23 @@ def test_the_design_says_so() -> None:
     assert found.utilization is not None
     assert found.utilization < 1
     assert np.isfinite(found.utilization)
+
+
+@pytest.mark.parametrize("steel", [LAID, ACI], ids=["EN", "ACI"])
+def test_what_is_proposed_is_enough(steel: dict[str, Any]) -> None:
+    """Rectangles of links that propose_bars writes close the check, and none lies over another."""
+    asked = {key: value for key, value in steel.items() if key not in LAYERS}
+    proposal = gs.propose_bars(solve_once(slab(asked)))
+    links = proposal.reinforcement.shear_links
+    found = check(proposal.model)
+    assert links
+    assert found.status == "no failure found"
+    assert found.unit == "cm2/m2" or found.unit == "mm"
+    shapes = [box(*(each.shape.ring().bounds[side] for side in (0, 2, 1, 3))) for each in links]
+    assert union_all(shapes).area == pytest.approx(sum(shape.area for shape in shapes))
+
+
+def test_nothing_is_proposed_where_nothing_is_needed() -> None:
+    """Concrete alone bears it."""
+    asked = {key: value for key, value in LAID.items() if key not in LAYERS}
+    assert gs.propose_bars(solve_once(slab(asked, q=150e3))).reinforcement.shear_links == ()

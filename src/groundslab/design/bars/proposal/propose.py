@@ -82,39 +82,8 @@ class BarProposal:
         return self.model.reinforcement
 
 
-def propose_bars(results: Results) -> BarProposal:
-    """Propose bars for a slab: a base in each layer and zones of additional bars, with little steel.
-
-    What bending and the minimum require at the points of the mesh in ultimate combinations is covered everywhere, the
-    minimum also where a face may be in tension on another mesh, with the shift of moments and the anchorage of the
-    zones' bars; where the case limits crack widths, these too. The bars are those that ``reinforcement.proposal``
-    allows; those that the case has are not looked at.
-
-    Parameters
-    ----------
-    results : Results
-        The results of all combinations of a case with reinforcement.
-
-    Returns
-    -------
-    BarProposal
-        The case with the bars, to be written, checked and drawn as any other, and the steel.
-
-    Raises
-    ------
-    InputError
-        If the case has no reinforcement or no ultimate combination, or if no bars that are allowed are enough.
-
-    References
-    ----------
-    EN 1992-1-1 8.4, 8.7, 9.2.1.3; ACI 318-19 25.4.2, 25.5.2, 7.7.3.3.
-
-    Examples
-    --------
-    >>> import groundslab
-    >>> proposal = groundslab.propose_bars(groundslab.solve(groundslab.load("case.toml")))
-    >>> groundslab.write_bars(proposal.model, "bars.dxf")
-    """
+def propose_in_layers(results: Results) -> BarProposal:
+    """Propose bars in all layers, links against punching, and links of beams; InputError if none are enough."""
     require(results, Results, name="results")
     steel, code = _steel_and_code(results)
     rule, plate = code.detailing, ultimate_results(results)[0].plate
@@ -353,7 +322,7 @@ def _with_bars(steel: Reinforcement, layers: dict[str, LayerProposal]) -> Reinfo
             changes[face] = axes_by_cover(steel.cover[face == "top"], steel.outer, *thickest)
     detailing = steel.detailing or Detailing()
     cleared = {"bottom_mesh": None, "top_mesh": None, "zones": tuple(zones), "links": (), "detailing": detailing,
-               "beam_links": ()}  # fmt: skip
+               "beam_links": (), "shear_links": ()}  # fmt: skip
     return steel.model_copy(update=changes | cleared)
 
 

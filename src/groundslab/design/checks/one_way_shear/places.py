@@ -93,6 +93,7 @@ class PlacesByReach:
 class ShearPlaces:
     """The places of a slab, sorted in each combination by what presses on the plate there."""
 
+    steel: Reinforcement
     nodes: Places
     bearers: list[Bearer]
     forces: Sequence[PunchingForce]  # whose punching is checked instead near them
@@ -125,7 +126,7 @@ class ShearPlaces:
             return PlacesByReach((nodes,), nodes.of(np.zeros_like(nodes.counts)), necks)
         near, on_web = (np.asarray(contains_xy(part, *nodes.xy.T)) for part in (within_d, webs))
         beyond = nodes.of(nodes.counts & ~near & ~on_web)
-        at_d = _on_border(results, region, [*(bearer.shape for bearer in some), *axes], nodes)
+        at_d = _on_border(results, self.steel, region, [*(bearer.shape for bearer in some), *axes], nodes)
         within = nodes.of(nodes.counts & near & ~on_web)
         return PlacesByReach(
             (beyond,) if at_d is None else (beyond, self._away(results, at_d, punching)), within, necks
@@ -170,7 +171,7 @@ def nodes_of(steel: Reinforcement, rule: ShearRule, results: list[CombinationRes
 
 
 def _on_border(
-    results: CombinationResult, region: BaseGeometry, shapes: list[BaseGeometry], nodes: Places
+    results: CombinationResult, steel: Reinforcement, region: BaseGeometry, shapes: list[BaseGeometry], nodes: Places
 ) -> Places | None:
     """Return the places on the plate along the border of what lies within d of some shapes, None if there are none.
 
@@ -195,8 +196,6 @@ def _on_border(
     meets[STRtree(_polygons(mesh)).query(shapes, predicate="intersects")[1]] = True
     element = np.where(meets[line.element[piece]], line.element[piece], -1)
     counts, own = _counts(results, xy, d, thickness), _of_plate(results, xy)
-    steel = results.model.reinforcement
-    assert steel is not None
     return Places(xy, nearest, weights, element, d, thickness, ratios, counts, _links_at(steel, xy), own)
 
 

@@ -20,7 +20,7 @@ with it at the edge, and with it as pressure over a strip (`edge_strip`), unless
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import partial
 
 import numpy as np
@@ -65,31 +65,56 @@ ROUNDING = 1e-9
 UNKNOWN_DISTANCES = "how far they may be from each other is not known here"
 
 
+@dataclass(frozen=True, slots=True)
+class ShearCase:
+    """What one-way shear of a case is judged with."""
+
+    combined: Results
+    steel: Reinforcement
+    code: DesignCode
+    rule: ShearRule
+    places: ShearPlaces
+
+    @classmethod
+    def of(cls, combined: Results) -> ShearCase | None:
+        """Return it of all combinations; None without materials, ultimate results, or a rule of the code."""
+        steel, results = combined.model.reinforcement, ultimate_results(combined)
+        if steel is None or not results or (rule := (code := code_of(steel)).shear) is None:
+            return None
+        reach = {} if rule.reach is None else rule.reach(combined)
+        model = combined.solved_model
+        punching = (*punching_columns(model), *punching_piles(model), *zone_forces(combined))
+        nodes = nodes_of(steel, rule, results)
+        punched = punched_names(combined, code.punching.demands_of) if steel.links and code.punching is not None else ()
+        links = {given.of: given.distances[-1] for given in steel.links if given.of in punched}
+        necks = [cut for cut in neck_cuts(results[0], nodes.thickness) if not is_of_beam(results[0], cut)]
+        places = ShearPlaces(steel, nodes, bearers(model), punching, reach, necks, links, rule.beyond_links)
+        return cls(combined, steel, code, rule, places)
+
+    def across(self) -> Iterator[ShearDemand]:
+        """Yield the means over cuts beside columns and across necks of all combinations."""
+        results = ultimate_results(self.combined)
+        cuts = [] if self.rule.cuts is None else self.rule.cuts(results[0], self.steel)
+        beside = [cut for cut in cuts if not is_of_beam(results[0], cut)]
+        for result in results:
+            yield from _across(result, self.places, self.steel, self.rule, beside)
+
+
 def checks(combined: Results) -> Iterator[DesignCheck]:
     """Yield the check of one-way shear over all ultimate combinations."""
     steel = combined.model.reinforcement
     results = ultimate_results(combined)
     if steel is None or not results:
         return
-    code = code_of(steel)
-    if code.shear is None:
-        yield no_rule(code, "one-way shear")
+    case = ShearCase.of(combined)
+    if case is None:
+        yield no_rule(code_of(steel), "one-way shear")
         return
-    rule = code.shear
-    reach = {} if rule.reach is None else rule.reach(combined)
-    model = combined.solved_model
-    punching = (*punching_columns(model), *punching_piles(model), *zone_forces(combined))
-    nodes = nodes_of(steel, rule, results)
-    punched = punched_names(combined, code.punching.demands_of) if steel.links and code.punching is not None else ()
-    links = {given.of: given.distances[-1] for given in steel.links if given.of in punched}
-    necks = [cut for cut in neck_cuts(results[0], nodes.thickness) if not is_of_beam(results[0], cut)]
-    places = ShearPlaces(nodes, bearers(model), punching, reach, necks, links, rule.beyond_links)
-    demands = [demand for result in results for demand in _of_combination(result, places, steel, rule)]
-    cuts = [] if rule.cuts is None else rule.cuts(results[0], steel)
-    beside = [cut for cut in cuts if not is_of_beam(results[0], cut)]
-    demands += [demand for result in results for demand in _across(result, places, steel, rule, beside)]
+    rule = case.rule
+    demands = [demand for result in results for demand in _of_combination(result, case.places, steel, rule)]
+    demands += case.across()
     if demands:
-        yield _check(steel, code, rule, max(demands, key=lambda demand: _share(steel, rule, demand)))
+        yield _check(steel, case.code, rule, max(demands, key=lambda demand: _share(steel, rule, demand)))
     else:
         words = "no place of the slab is far enough from what bears on it"
         yield not_judged("one-way shear", NO_PLACE, words)
@@ -216,7 +241,7 @@ def _worst(
 
     Of places where links stand, and that need them, the one with the largest force over its depth.
     """
-    v, rho, along = _demand(results, plate, places)
+    v, rho, along = read_demand(results, plate, places)
     without_links = rule.resistance(steel, results.limit_state, places.d, rho)
     counts = places.counts & ~near_forces(results, places.xy, places.d)
     if counts.any():
@@ -241,7 +266,7 @@ def _error(results: CombinationResult, places: Places, without_links: Array, k: 
     at = places.counts
     error = error_of_greatest(
         results,
-        lambda mesh: (_demand(mesh, _plate(mesh, spread=spread), places)[0] / without_links)[at],
+        lambda mesh: (read_demand(mesh, _plate(mesh, spread=spread), places)[0] / without_links)[at],
         lambda: places.mean(reduction_of(results, "shear_x"))[at],
     )
     return scaled(error, float(without_links[k]))
@@ -282,7 +307,7 @@ def _error_across(results: CombinationResult, cut: Cut, *, spread: bool) -> floa
     )
 
 
-def _demand(
+def read_demand(
     results: CombinationResult, plate: PlateResult, places: Places
 ) -> tuple[Array, Array, Callable[[int], AlongForce]]:
     """Return the largest shear force of any direction (k,) [N/m], and the ratio of bars in tension along it (k,).

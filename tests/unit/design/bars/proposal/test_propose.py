@@ -19,10 +19,11 @@ from groundslab.case import casefile
 from groundslab.cli import main
 from groundslab.cli.propose_bars import _words
 from groundslab.design.bars.proposal.links import punching_links
-from groundslab.design.bars.proposal.propose import BarProposal, propose_bars
+from groundslab.design.bars.proposal.propose import BarProposal
 from groundslab.design.bars.required_bars import bar_fields, largest_areas, required_areas
 from groundslab.design.checks import check_design
 from groundslab.design.codes.registry import code_of
+from groundslab.design.proposal import propose_bars
 from groundslab.design.rules.combinations import ultimate_results
 from groundslab.errors import InputError
 from groundslab.model.design.detailing import AllowedBars, allowed_bars
