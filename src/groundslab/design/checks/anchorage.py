@@ -34,6 +34,8 @@ NAME = "anchorage of bars"
 CM2 = 1e4
 #: A zone ends at the slab's edge if it ends no farther from it [m]: bars have a cover there.
 AT_EDGE = 0.1
+#: Nodes on curved edges lie no farther off the polygon that stands for the slab [m].
+OFF_CHORD = 1e-3
 #: What counts as rounding, relative.
 ROUNDING = 1e-6
 
@@ -128,16 +130,19 @@ def _to_ends(
     slab: BaseGeometry, region: BaseGeometry, layer: str, nodes: Array
 ) -> tuple[Integers, tuple[Array, Flags], tuple[Array, Flags]]:
     """Return the nodes in a region (k,), how far bars go on on both sides [m], and whether to the slab's edge."""
-    from shapely import distance, get_coordinates, get_parts, intersection, intersects_xy, linestrings, points
+    from shapely import distance, get_coordinates, get_parts, intersection, length, linestrings, points
 
     axis = "xy".index(layer[-1])
-    inside = np.flatnonzero(intersects_xy(region, *nodes.T)) if region.area else np.empty(0, dtype=int)
+    inside = np.flatnonzero(distance(points(nodes), region) <= OFF_CHORD) if region.area else np.empty(0, dtype=int)
     if not len(inside):
         nothing = np.empty(0), np.empty(0, dtype=bool)
         return inside, nothing, nothing
-    low, high = np.array(region.bounds).reshape(2, 2)[:, axis]
+    bounds = np.array(region.bounds).reshape(2, 2)
+    low, high = bounds[:, axis]
     lines = np.repeat(nodes[inside][:, None], 2, axis=1)
     lines[:, 0, axis], lines[:, 1, axis] = low - 1.0, high + 1.0
+    first_bar, last_bar = bounds[:, 1 - axis] + (OFF_CHORD, -OFF_CHORD)
+    lines[:, :, 1 - axis] = np.clip(lines[:, :, 1 - axis], first_bar, max(first_bar, last_bar))
     pieces, which = get_parts(intersection(linestrings(lines), region), return_index=True)
     places, of_piece = get_coordinates(pieces, return_index=True)
     first, last = (
@@ -156,8 +161,8 @@ def _to_ends(
     ends = np.stack([first[order[chosen]], last[order[chosen]]])
     sides = []
     for end, sign in zip(ends, (-1.0, 1.0), strict=True):
-        beyond = nodes[inside].copy()
-        beyond[:, axis] = end + sign * AT_EDGE
-        off = distance(points(beyond), slab) > 0
+        beyond = lines.copy()
+        beyond[:, 0, axis], beyond[:, 1, axis] = end, end + sign * AT_EDGE
+        off = length(intersection(linestrings(beyond), slab)) < AT_EDGE - ROUNDING
         sides.append((np.maximum(sign * (end - nodes[inside][:, axis]), 0.0), np.asarray(off)))
     return inside, sides[0], sides[1]

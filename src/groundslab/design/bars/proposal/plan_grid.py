@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import itertools
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -26,9 +27,9 @@ MOST_CELLS = 10_000
 PARTS = 3
 #: A place is on a line between cells if it is no farther from it than this over the width of a cell.
 ON_LINE = 1e-6
-#: Needs are symmetric if each is at most this share more than the largest ones so many cells around its image: where
-#: they jump, meshes that are not symmetric move the jump.
-SYMMETRIC, NEAR = 0.05, 2
+#: Needs are symmetric if their means over so many places around each are at most this share more than those around its
+#: image, and it is at most that share more than the largest of them: where needs peak and jump, meshes change them.
+NEAR, SYMMETRIC, PEAKS = 4, 0.05, 0.25
 
 #: First and last cell along x and y, the last one excluded.
 Window = tuple[int, int, int, int]
@@ -148,27 +149,45 @@ def locate_cells(grid: PlanGrid, plate: PlateResult) -> CellValues:
     return CellValues(grid, plate, centers, where)
 
 
-def symmetric_axes(plan: BaseGeometry, cells: CellValues, needs: Array) -> tuple[bool, bool]:
-    """Return along which axes a plan, in cells from its corner, and what its nodes need (n,) mirror themselves.
+def symmetric_axes(
+    plan: BaseGeometry, plate: PlateResult, needs: Mapping[str, Array], step: float
+) -> dict[str, tuple[bool, bool]]:
+    """Return about the middle of which axes a plan, and what its nodes need (n,) by layer, mirror themselves.
 
-    Needs are compared where they are above their mean: what is less, the base covers.
+    Needs are compared at places that are no farther apart than a step [m], where they are above their mean: what is
+    less, the base covers.
     """
-    from scipy.ndimage import maximum_filter
+    from scipy.ndimage import maximum_filter, uniform_filter
+    from shapely import intersects_xy
     from shapely.affinity import scale
 
-    n_x, n_y = cells.grid.area.shape
-    of_cells = cells.largest(needs, 0).reshape(n_x, PARTS, n_y).max(axis=1)
-    above = np.maximum(of_cells, of_cells[cells.grid.area > 0].mean())
-    near = maximum_filter(above, 2 * NEAR + 1) * (1 + SYMMETRIC)
-    x0, x1, y0, y1 = cells.grid.bounds
+    (x0, y0, x1, y1), size = plan.bounds, 2 * NEAR + 1
+    images = [scale(plan, *turn, origin=((x0 + x1) / 2, (y0 + y1) / 2)) for turn in ((-1, 1), (1, -1))]
+    same_plan = [plan.symmetric_difference(image).area <= ON_LINE * plan.area for image in images]
+    if not any(same_plan):
+        return dict.fromkeys(needs, (False, False))
+    along = [low + (high - low) * _middles(math.ceil((high - low) / step)) for low, high in ((x0, x1), (y0, y1))]
+    places = np.stack(np.meshgrid(*along, indexing="ij"), axis=-1)
+    inside, mesh = intersects_xy(plan, places[..., 0], places[..., 1]), Mesh(plate.nodes, plate.elements)
+    where = locate_nearest(mesh, places[inside])
 
-    def mirrored(axis: int) -> bool:
-        turn = (-1.0, 1.0) if axis == 0 else (1.0, -1.0)
-        image = scale(plan, *turn, origin=((x0 + x1) / 2, (y0 + y1) / 2))
-        same_plan = plan.symmetric_difference(image).area <= ON_LINE * plan.area
-        return same_plan and bool((np.flip(above, axis) <= near).all())
+    def symmetric(of_nodes: Array) -> tuple[bool, bool]:
+        here = interpolate_bilinear(mesh, of_nodes, where)
+        above = np.full(inside.shape, here.mean())
+        above[inside] = np.maximum(here, here.mean())
+        means, near = uniform_filter(above, size), maximum_filter(above, size)
+        as_much = [
+            (np.flip(means, axis) <= (1 + SYMMETRIC) * means) & (np.flip(above, axis) <= (1 + PEAKS) * near)
+            for axis in (0, 1)
+        ]
+        return same_plan[0] and bool(as_much[0].all()), same_plan[1] and bool(as_much[1].all())
 
-    return mirrored(0), mirrored(1)
+    return {layer: symmetric(of_nodes) for layer, of_nodes in needs.items()}
+
+
+def _middles(number: int) -> Array:
+    """Return the middles of so many equal parts of 1."""
+    return (np.arange(number) + 0.5) / number
 
 
 def spread_along(cells: Array, reach: Array) -> Array:

@@ -94,9 +94,9 @@ def propose_in_layers(results: Results) -> BarProposal:
     axes = {layer: axis_of(steel, layer) for layer in LAYERS}
     for _ in range(MOST_ROUNDS):
         layers, remarks = dict[str, LayerProposal](), list[str]()
+        folded = _symmetric(results, steel, needs)
         for layer in LAYERS:
-            cells = cells_of(symmetric_axes(plan, cells_of((False, False)), needs[layer]))
-            task = _task(results, steel, layer, needs[layer], rule, cells)
+            task = _task(results, steel, layer, needs[layer], rule, cells_of(folded[layer]))
             task = replace(task, farthest=partial(_farthest, steel, rule, axes[layer]))
             proposed, missed = _propose(task, layer, steel, rule)
             remarks += missed
@@ -109,6 +109,17 @@ def propose_in_layers(results: Results) -> BarProposal:
         # bars lie deeper than those whose depths were counted on
         needs, axes = {layer: np.maximum(needs[layer], more[layer]) for layer in LAYERS}, deeper
     raise GroundslabError(f"no bars were found whose depths are those counted on, in {MOST_ROUNDS} proposals")
+
+
+def _symmetric(results: Results, steel: Reinforcement, needs: dict[str, Array]) -> dict[str, tuple[bool, bool]]:
+    """Return about the middle of which axes what is needed (n,) [m2/m] by layer mirrors itself.
+
+    What any base has, the least area of the thinnest part of the slab, is of no account.
+    """
+    plan, first = get_plate_region(results.model.plate, results.model.plates).area, ultimate_results(results)[0]
+    least = _least_areas(first, steel)
+    beyond = {layer: np.maximum(needs[layer], least[layer].min()) for layer in LAYERS}
+    return symmetric_axes(plan, first.plate, beyond, steel.proposal.rounding)
 
 
 def _propose(

@@ -166,6 +166,30 @@ def test_zones_are_symmetric_where_the_slab_is(forces: tuple[float, float], mirr
             assert (high - low) / 0.25 == pytest.approx(round((high - low) / 0.25))
 
 
+def test_a_mesh_that_is_not_symmetric_hides_no_symmetry() -> None:
+    """Around a round opening elements have any shape; zones mirror themselves, and end at it, where bars are held."""
+    places = [("A", -2.0, -1.5), ("B", 2.0, -1.5), ("C", -2.0, 1.5), ("D", 2.0, 1.5)]
+    plate = {
+        "length_x": 7, "length_y": 6, "thickness": 0.4, "E": 33e9, "nu": 0.2,
+        "openings": [{"kind": "circle", "centre": (0.0, 0.0), "radius": 0.8}],
+    }  # fmt: skip
+    model = raft(
+        STEEL, plate=plate, mesh={"size": 0.5},
+        columns=[{"name": name, "x": x, "y": y, "width_x": 0.4, "width_y": 0.4} for name, x, y in places],
+        loads=[{"kind": "point", "P": 700e3, "column": name, "case": "G"} for name, *_ in places],
+    )  # fmt: skip
+    results = solve_once(model)
+    nodes = ultimate_results(results)[0].plate.nodes
+    assert {(round(x, 6), round(y, 6)) for x, y in nodes} != {(round(-x, 6), round(y, 6)) for x, y in nodes}
+    proposal = propose_bars(results)
+    there = rectangles(proposal)
+    assert {(*bars, -x1, -x0, y0, y1) for *bars, x0, x1, y0, y1 in there} == there
+    assert {(*bars, x0, x1, -y1, -y0) for *bars, x0, x1, y0, y1 in there} == there
+    assert any(x0 < 0.8 and x1 > -0.8 and y0 < 0.8 and y1 > -0.8 for *_, x0, x1, y0, y1 in there)
+    (check,) = (c for c in check_design(replace(results, model=proposal.model)).checks if c.name == "anchorage of bars")
+    assert check.status == "no failure found", check.words
+
+
 def test_steel_is_what_a_known_need_takes_by_hand() -> None:
     """A moment in a part of the slab takes that part, 2 (a_l + r l_bd) along the bars, and no more than the rounding.
 
