@@ -238,7 +238,7 @@ class Model(Section):
             return load.on(self.columns).acts
         if isinstance(load, LineLoad | LineMoment) and load.wall:
             named = [wall for wall in self.walls if wall.name == load.wall]
-            return load.on(place_walls(named, self.every_plate)).acts
+            return load.acts_on(place_walls(named, self.every_plate))
         if isinstance(load, SelfWeight) and load.beams:
             return *load.acts, *weights_of(self.beams, self.plate, self.plates, load)
         return load.acts

@@ -201,7 +201,7 @@ def _drawn_shapes(loads: Sequence[AnyLoad], walls: tuple[Wall, ...]) -> list[_Dr
         )
         for position, load in enumerate(loads)
         if isinstance(load, Spread) and getattr(load, "wall", "") in {"", *wall_names}
-        for shape in (load.on(walls) if isinstance(load, LineLoad | LineMoment) else load).acts
+        for shape in (load.acts_on(walls) if isinstance(load, LineLoad | LineMoment) else load.acts)
     ]
 
 

@@ -155,11 +155,11 @@ def _load(load: AnyLoad, model: Model, chord: float) -> Data:
     about: Data = {"name": load.name, "kind": load.kind, "case": load.case}
     for shape in model.shapes(load):
         about |= _place_of(shape, model, chord)
+        if isinstance(shape, LineForce) and shape.wall:
+            about["wall"] = shape.wall
     if getattr(load, "column", ""):
         # the column is drawn
         about.pop("footprint", None)
-    if wall := getattr(load, "wall", ""):
-        about["wall"] = wall
     return about | {"parts": load_parts(load, model.units)}
 
 

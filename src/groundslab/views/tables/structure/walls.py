@@ -111,8 +111,8 @@ def wall_table(combined: Results) -> Table:
             bent: list[Cell] = [None, None]
             if not wall.closed:
                 bent = [line.deflection * 1e3, line.deflection / wall.length * 1e3]
-            most = max(couple, key=abs)
-            about: list[Cell] = [results.combination, wall.name, wall.length, wall.length * force.mean() / 1e3]
+            most = max(couple.ravel(), key=abs)
+            about: list[Cell] = [results.combination, wall.name, wall.length, loads.sum_of(force) / 1e3]
             ends: list[Cell] = [w[0], w[-1]] if not wall.closed else [None, None]
             rows.append([*about, force.min() / 1e3, force.max() / 1e3, most / 1e3, *ends, w.min(), w.max(), *bent])
     return table_of("walls", "Walls", _HEADS, rows, _NOTES)
