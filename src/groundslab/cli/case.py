@@ -184,15 +184,15 @@ def _walls(model: Model) -> list[str]:
         if wall.height is not None:
             share = _share(wall.stiffness)
             parts.append(Message("a deep beam {height:g m} high{share}", height=wall.height, share=share))
-            parts += [
-                Message(
-                    "an opening {height:g m} high from {start:g m} to {end:g m}",
-                    height=hole.height,
-                    start=hole.start,
-                    end=hole.end,
-                )
-                for hole in wall.openings
-            ]
+        parts += [
+            Message(
+                "an opening {height:g m} high from {start:g m} to {end:g m}",
+                height=hole.height,
+                start=hole.start,
+                end=hole.end,
+            )
+            for hole in wall.openings
+        ]
         lines.append(Message("  wall {wall}: {size}", wall=Name(wall.name), size=joined(parts)))
     return lines
 

@@ -43,6 +43,7 @@ from groundslab.model.reactions import check_reactions
 from groundslab.model.settings import SIDES, Beyond, Contact, Mesh
 from groundslab.model.structure.building import check_building
 from groundslab.model.structure.columns import Column
+from groundslab.model.structure.doors import check_doors
 from groundslab.model.structure.members import as_beam, check_members
 from groundslab.model.structure.spans import spans_of
 from groundslab.model.structure.walls import Wall, WallFaces
@@ -197,12 +198,13 @@ def check_columns(
 
 
 def check_walls(plate: Plate, plates: tuple[FurtherPlate, ...], walls: tuple[Wall, ...]) -> Iterator[RelativeIssue]:
-    """Find walls without a unique name, along no edge of a plate, or whose axis leaves the plate.
+    """Find walls without a unique name, along no edge of a plate, or whose axis leaves the plate, and unfit doors.
 
     One along an edge stands on the plate with all of its thickness.
     """
     yield from check_names("walls", [wall.name for wall in walls], needed=True)
     covered = PlateRegion(plate, plates)
+    near = TOO_CLOSE * covered.size
     for position, wall in enumerate(walls):
         try:
             placed = wall.on(covered.every)
@@ -212,6 +214,7 @@ def check_walls(plate: Plate, plates: tuple[FurtherPlate, ...], walls: tuple[Wal
             if wall.height is not None and spans_of(as_beam(placed), plate, plates):
                 continue  # over openings of the plate it is checked as a beam
             yield from on_plate(covered, placed if wall.edge is None else WallFaces(placed), ("walls", position))
+            yield from (issue.below(("walls", position)) for issue in check_doors(placed, near) if placed.doors)
 
 
 def check_supports(

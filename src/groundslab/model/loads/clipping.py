@@ -188,8 +188,9 @@ class _Drawn:
 
 
 def _drawn_shapes(loads: Sequence[AnyLoad], walls: tuple[Wall, ...]) -> list[_Drawn]:
-    """Return the areas and lines of loads, but for those on walls that are unknown."""
+    """Return the areas and lines of loads, but for those on walls that are unknown; walls with all of their axes."""
     wall_names = {wall.name for wall in walls}
+    walls = tuple(wall.model_copy(update={"openings": ()}) for wall in walls)
     return [
         _Drawn(
             position,

@@ -11,6 +11,7 @@ from groundslab.model.ground import POSITIVE
 from groundslab.model.loads.acting import LineForce
 from groundslab.model.loads.base import Magnitude, Source, _Load
 from groundslab.model.shapes import AnyShape
+from groundslab.model.structure.doors import carried_over_doors
 from groundslab.model.structure.lines import (
     LineBulges,
     LinePoints,
@@ -19,6 +20,7 @@ from groundslab.model.structure.lines import (
     check_line,
     check_line_length,
     line_segments,
+    part_of_line,
 )
 from groundslab.model.structure.walls import Wall
 from groundslab.schema.base import Check
@@ -103,7 +105,12 @@ def _along(load: LineLoad | LineMoment, walls: Iterable[Wall], ends: tuple[float
         yield LineForce(line_segments(load.points, load.bulges, load.shape), width=load.width or 0.0), ends
         return
     wall = next(wall for wall in walls if wall.name == load.wall)
-    yield LineForce(wall.edges, width=wall.thickness, wall=wall.name), ends
+    line = LineForce(wall.edges, width=wall.thickness, wall=wall.name)
+    if not wall.doors:
+        yield line, ends
+    for part in carried_over_doors(wall, ends) if wall.doors else ():
+        edges = line_segments(*part_of_line(wall.edges, part.start, part.end), None)
+        yield replace(line, edges=edges, start=part.start), part.values
 
 
 class LineLoad(_Load):

@@ -192,8 +192,9 @@ def draw_walls(axes: Axes, model: Model, takes_part: Callable[[AnyLoad], bool]) 
     for wall in model.placed_walls:
         brings = wall.name in loaded
         look = {"edgecolor": INK, "facecolor": LOAD if brings else "white", "linewidth": 0.6, "zorder": 4.8}
-        area = wall.area(DRAWN_CHORD * max(model.sides))
-        entries["wall with load" if brings else "wall"] = _draw_area(axes, area, **look)
+        for piece in wall.pieces:
+            area = piece.area(DRAWN_CHORD * max(model.sides))
+            entries["wall with load" if brings else "wall"] = _draw_area(axes, area, **look)
     return entries
 
 
