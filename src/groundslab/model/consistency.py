@@ -23,6 +23,7 @@ from groundslab.model.design.reinforcement import (
 from groundslab.model.ground import AnyGround, ContinuousGround, Continuum, Layered, SoilLayer, Winkler, carry_shear
 from groundslab.model.loads.beside import check_ground_loads
 from groundslab.model.loads.clipping import check_distributed_loads
+from groundslab.model.loads.core_loads import check_core_moments
 from groundslab.model.loads.en1990 import check_combine
 from groundslab.model.loads.load_cases import (
     Combination,
@@ -33,7 +34,13 @@ from groundslab.model.loads.load_cases import (
 )
 from groundslab.model.loads.load_types import AnyLoad, SettlementLoad, is_zero
 from groundslab.model.loads.patterns import Move, check_patterns, check_positions
-from groundslab.model.loads.placement import check_load_columns, check_load_walls, check_point_loads, on_plate
+from groundslab.model.loads.placement import (
+    check_load_columns,
+    check_load_cores,
+    check_load_walls,
+    check_point_loads,
+    on_plate,
+)
 from groundslab.model.outputs import check_output, check_wall_limits
 from groundslab.model.plate import Plate
 from groundslab.model.plates.joints import AnyJoint, check_joints
@@ -43,6 +50,7 @@ from groundslab.model.reactions import check_reactions
 from groundslab.model.settings import SIDES, Beyond, Contact, Mesh
 from groundslab.model.structure.building import check_building
 from groundslab.model.structure.columns import Column
+from groundslab.model.structure.cores import Core, check_cores
 from groundslab.model.structure.doors import check_doors
 from groundslab.model.structure.members import as_beam, check_members
 from groundslab.model.structure.spans import spans_of
@@ -217,6 +225,24 @@ def check_walls(plate: Plate, plates: tuple[FurtherPlate, ...], walls: tuple[Wal
             yield from (issue.below(("walls", position)) for issue in check_doors(placed, near) if placed.doors)
 
 
+def check_walls_of_cores(
+    plate: Plate, plates: tuple[FurtherPlate, ...], walls: tuple[Wall, ...], cores: tuple[Core, ...]
+) -> Iterator[RelativeIssue]:
+    """Find cores whose walls are not there, bend in arcs, lie on each other or are in another one."""
+    yield from check_cores(cores, walls, list_plates(plate, plates))
+
+
+def check_moments_of_cores(
+    plate: Plate,
+    plates: tuple[FurtherPlate, ...],
+    walls: tuple[Wall, ...],
+    cores: tuple[Core, ...],
+    loads: tuple[AnyLoad, ...],
+) -> Iterator[RelativeIssue]:
+    """Find moments that the walls of a core cannot carry."""
+    yield from check_core_moments(loads, cores, walls, list_plates(plate, plates))
+
+
 def check_supports(
     plate: Plate, plates: tuple[FurtherPlate, ...], supports: tuple[AnySupport, ...]
 ) -> Iterator[RelativeIssue]:
@@ -360,15 +386,18 @@ LOADS: tuple[Check, ...] = (
     check_combine,
     check_load_columns,
     check_load_walls,
+    check_load_cores,
+    check_moments_of_cores,
     check_patterns,
     check_positions,
     check_settlement_loads,
     check_reactions,
 )
-#: Of columns, walls, beams, the building and supports.
+#: Of columns, walls, cores, beams, the building and supports.
 MEMBERS: tuple[Check, ...] = (
     check_columns,
     check_walls,
+    check_walls_of_cores,
     check_members,
     check_building,
     check_supports,

@@ -20,9 +20,9 @@ _HEADS = (
     ("deflection", "mm"), ("deflection over length", "mm/m"),
 )  # fmt: skip
 _NOTES = (
-    "The load is the sum of the line loads that name the wall, with the factors of their cases, and what a building "
-    "above adds. The moment per length "
-    "is that of the line moments that name it, at the end where it is largest.",
+    "The load is the sum of what acts through the wall, with the factors of the cases: line loads that name it, its "
+    "part of the loads of its core, and what a building above adds. The moment per length is that of the line moments "
+    "that name it, where it is largest. Beside doors the load includes what their lintels bring.",
     "The deflection is the largest distance of the settlement along the wall from the straight line between the "
     "settlements of its ends, positive where the wall sags; a closed wall has none.",
 )
