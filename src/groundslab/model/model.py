@@ -92,7 +92,7 @@ class Model(Section):
         Table("walls on the plate, which loads name; shear is checked from their faces on, punching at ends", 10_000),
     ] = ()
     cores: Annotated[
-        tuple[Core, ...], Table("cores of the building: walls over which force and moments are distributed", 1000)
+        tuple[Core, ...], Table("cores of the building: walls over which their force and moments are distributed", 1000)
     ] = ()
     beams: Annotated[tuple[Beam, ...], Table("beams and ribs cast with the plate, which stiffen it", 1000)] = ()
     building: Annotated[

@@ -17,7 +17,7 @@ from groundslab.schema.wording import quote
 
 
 class CoreLoad(_Load):
-    """A force and moments of a core, which its walls bring to the slab as a section that stays plane."""
+    """Force and moments of a core, which its walls bring to the slab as a section that stays plane."""
 
     kind: Annotated[Literal["core"], Table("force and moments of a core, distributed over its walls")] = "core"
     core: Annotated[str, Text("core by whose walls it acts, one of [[cores]]")]
@@ -26,7 +26,7 @@ class CoreLoad(_Load):
         Quantity(
             "force",
             "P",
-            "force in the center of its walls' areas, downwards positive; 0 for moments alone",
+            "force through the center of its section, downwards positive; 0 for moments alone",
             example="12 MN",
         ),
     ]

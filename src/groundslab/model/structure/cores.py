@@ -42,12 +42,12 @@ MEETING = 1e-3
 
 
 class Core(Section):
-    """A core of the building: walls whose cross-section stays plane, which share the loads of the core."""
+    """A core of the building: walls that bend together, as a cross-section that stays plane."""
 
     name: Annotated[str, Text("name of the core, used by loads")]
     walls: Annotated[
         tuple[str, ...],
-        ListOf(Text(""), "", "walls that it consists of, straight ones or polygons; their openings are cut out"),
+        ListOf(Text(""), "", "walls that it consists of, straight ones or polygons; openings are cut out of them"),
     ]
 
 

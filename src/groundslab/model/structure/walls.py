@@ -75,7 +75,7 @@ def _check_height(height: float | None, given: set[str]) -> Iterator[RelativeIss
 
 
 class WallOpening(Section):
-    """An opening in a wall: where it is less high, or a door of one without a height, which presses nowhere there."""
+    """An opening in a wall: where it is less high, or the door of a wall without a height."""
 
     constraints: ClassVar[tuple[Check, ...]] = (_check_ends,)
 
@@ -84,7 +84,8 @@ class WallOpening(Section):
     ]
     end: Annotated[float, Quantity("length", "s_2", "where it ends, along the axis", POSITIVE, example="2 m")]
     height: Annotated[
-        float, Quantity("length", "h_o", "height that is missing there, of a door its own", POSITIVE, example="2.1 m")
+        float,
+        Quantity("length", "h_o", "height that is missing there; of a door its height", POSITIVE, example="2.1 m"),
     ]
 
 

@@ -28,9 +28,8 @@ _LOADS = (
     ("force", "kN"), ("M_x", "kNm"), ("M_y", "kNm"),
 )  # fmt: skip
 _LOAD_NOTES = (
-    "Without factors: t (P / A + r I^-1 M) along each straight piece of a wall of thickness t, at r from the center of "
-    "the core, negative where it pulls. Moments are about the center of the core. The sum of all walls is what is "
-    "given.",
+    "Without factors: a wall's thickness times the stress of the core's section, which stays plane; negative where a "
+    "wall pulls at the slab. Moments are about the center of the core. The sum of all walls is what is given.",
 )
 ALL_WALLS = "all walls"
 #: A sum below this part of the sum of sizes is nothing but rounding.
