@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Annotated, Literal
 
+import numpy as np
+
 from groundslab.model.loads.acting import LineForce
 from groundslab.model.loads.base import Magnitude, _Load
 from groundslab.model.plates.other_plates import AnyPlate
@@ -69,9 +71,8 @@ def check_core_moments(
     for position, load in enumerate(loads):
         if not isinstance(load, CoreLoad) or load.core not in known:
             continue
-        M = (load.M_x, load.M_y)
-        if not section_of(known[load.core], walls, plates).carries(M):
-            keys = [key for key, value in zip(("M_x", "M_y"), M, strict=True) if value]
-            place = ("loads", position, keys[0])
+        left = np.abs(section_of(known[load.core], walls, plates).not_carried((load.M_x, load.M_y)))
+        if left.any():
+            place = ("loads", position, ("M_x", "M_y")[int(left.argmax())])
             found = f"a moment across core {quote(load.core)}, whose walls stand in one line"
             yield RelativeIssue(place, found, "a moment along them", "walls in two directions carry any moment")

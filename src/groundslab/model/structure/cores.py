@@ -80,17 +80,18 @@ class CoreSection:
         growth: Array = directions[:, carried] @ ((directions[:, carried].T @ np.asarray(M)) / moments[carried])
         return growth
 
-    def carries(self, M: Sequence[float]) -> bool:
-        """Return whether walls carry moments (2,) [N m]: those in one line carry none across it.
+    def not_carried(self, M: Sequence[float]) -> Array:
+        """Return what walls do not carry of moments (2,) [N m]: those in one line carry none across it.
 
         They stand in one line if their axes are off it by less than walls are thick. Where they are, a moment along
         the line has a small part across their principal axes.
         """
         moments, directions = self._principal
-        across = np.abs(directions.T @ np.asarray(M))
+        across = directions.T @ np.asarray(M)
         least = self.area * max(part.thickness for part in self.parts) ** 2 / 12
         allowed = np.where(moments > IN_A_LINE * moments.max(), ALONG, IN_A_LINE) * np.hypot(*M)
-        return bool(np.all((moments > least) | (across <= allowed)))
+        left: Array = directions @ np.where((moments > least) | (np.abs(across) <= allowed), 0.0, across)
+        return left
 
     @property
     def _principal(self) -> tuple[Array, Array]:
