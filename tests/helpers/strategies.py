@@ -612,8 +612,10 @@ def rich_models(draw: st.DrawFn, whole: bool = False) -> Model:
     for wall in around:
         q, m = draw(st.floats(1e3, 2e5)), draw(st.none() | st.floats(-2e4, 2e4).filter(lambda m: abs(m) > 1))
         loads.append(draw(load_on_wall(wall, q, m, case=draw(st.sampled_from(cases)).name if cases else "")))
-    cores = [Core(name=f"core {wall.name}", walls=[wall.name]) for wall in around if wall.points and not wall.bulges]
-    for core in cores[:1]:
+    # walls may lie on each other, of which cores share none
+    straight = [wall for wall in around if wall.points and not wall.bulges][:1]
+    cores = [Core(name=f"core {wall.name}", walls=[wall.name]) for wall in straight]
+    for core in cores:
         case = draw(st.sampled_from(cases)).name if cases else ""
         loads.append(CoreLoad(core=core.name, P=draw(st.floats(1e3, 1e6)), case=case))
     # a weight, so that most of them can be balanced
