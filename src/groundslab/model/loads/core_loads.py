@@ -16,6 +16,7 @@ from groundslab.schema.fields import Quantity, Text
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.section_fields import Table
 from groundslab.schema.wording import quote
+from groundslab.units import show
 
 
 class CoreLoad(_Load):
@@ -29,7 +30,7 @@ class CoreLoad(_Load):
             "force",
             "P",
             "force through the center of its section, downwards positive; 0 for moments alone",
-            example="12 MN",
+            example="4 MN",
         ),
     ]
     M_x: Annotated[
@@ -38,7 +39,7 @@ class CoreLoad(_Load):
             "moment",
             "M_x",
             "moment about the y axis through this center, positive if it presses the side of larger x down",
-            example="3 MNm",
+            example="900 kNm",
         ),
     ] = 0.0
     M_y: Annotated[
@@ -47,7 +48,7 @@ class CoreLoad(_Load):
             "moment",
             "M_y",
             "moment about the x axis through this center, positive if it presses the side of larger y down",
-            example="3 MNm",
+            example="900 kNm",
         ),
     ] = 0.0
 
@@ -74,5 +75,6 @@ def check_core_moments(
         left = np.abs(section_of(known[load.core], walls, plates).not_carried((load.M_x, load.M_y)))
         if left.any():
             place = ("loads", position, ("M_x", "M_y")[int(left.argmax())])
-            found = f"a moment across core {quote(load.core)}, whose walls stand in one line"
+            across = show(float(np.hypot(*left)), "moment")
+            found = f"{across} across core {quote(load.core)}, whose walls stand in one line"
             yield RelativeIssue(place, found, "a moment along them", "walls in two directions carry any moment")

@@ -14,6 +14,7 @@ moments of walls about their own axes, are left out, as usual for thin walls.
 from __future__ import annotations
 
 import itertools
+import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
@@ -89,7 +90,7 @@ class CoreSection:
         moments, directions = self._principal
         across = directions.T @ np.asarray(M)
         least = self.area * max(part.thickness for part in self.parts) ** 2 / 12
-        allowed = np.where(moments > IN_A_LINE * moments.max(), ALONG, IN_A_LINE) * np.hypot(*M)
+        allowed = np.where(moments > IN_A_LINE * moments.max(), ALONG, IN_A_LINE) * math.hypot(*M)
         left: Array = directions @ np.where((moments > least) | (np.abs(across) <= allowed), 0.0, across)
         return left
 

@@ -110,9 +110,11 @@ def _wall(wall: Wall, chord: float) -> Data:
     """Return the name of a wall, its thickness and its axis, and of one with doors its pieces between them."""
     from shapely import get_coordinates
 
-    axis, *pieces = (_rounded(get_coordinates(part.to_shapely(chord))) for part in (wall, *wall.pieces))
-    between = {"pieces": pieces} if wall.doors else {}
-    return {"name": wall.name, "thickness": wall.thickness, "points": axis} | between
+    axis = get_coordinates(wall.to_shapely(chord))
+    about: Data = {"name": wall.name, "thickness": wall.thickness, "points": _rounded(axis)}
+    if wall.doors:
+        about["pieces"] = [_rounded(get_coordinates(piece.to_shapely(chord))) for piece in wall.pieces]
+    return about
 
 
 def _beam(beam: Beam, chord: float) -> Data:

@@ -154,10 +154,10 @@ def test_walls_in_one_line_carry_moments_along_it() -> None:
 @pytest.mark.parametrize(
     ("walls", "changes", "place", "found"),
     [
-        ([LINE], {"loads": [{"M_y": 1e6}]}, "loads[1].M_y", 'a moment across core "K", whose walls stand in one line'),
-        ([LINE, GO_ON], {"loads": [{"M_x": 1e6, "M_y": 1e5}]}, "loads[1].M_y", 'a moment across core "K"'),
+        ([LINE], {"loads": [{"M_y": 1e6}]}, "loads[1].M_y", '1 MNm across core "K", whose walls stand in one line'),
+        ([LINE, GO_ON], {"loads": [{"M_x": 1e6, "M_y": 1e5}]}, "loads[1].M_y", '100 kNm across core "K"'),
         ([LINE, {**GO_ON, "points": [(5, 0.01), (6, 0.01)]}], {"loads": [{"M_y": 1e6}]}, "loads[1].M_y",
-         "a moment across"),
+         "1 MNm across"),
         ([LINE], {"loads": [{"core": "L"}]}, "loads[1].core", '"L"'),
         ([LINE], {"cores": [{"name": "K", "walls": ["V"]}]}, "cores[1].walls[1]", '"V"'),
         ([LINE], {"cores": [{"name": "K", "walls": ["W", "W"]}]}, "cores[1].walls[2]",
