@@ -62,6 +62,7 @@ from .model.ground import Selvadurai as Selvadurai
 from .model.ground import SoilLayer as SoilLayer
 from .model.ground import Vlasov as Vlasov
 from .model.ground import Winkler as Winkler
+from .model.loads.core_loads import CoreLoad as CoreLoad
 from .model.loads.lines import LineLoad as LineLoad
 from .model.loads.lines import LineMoment as LineMoment
 from .model.loads.load_cases import Combination as Combination
@@ -116,6 +117,7 @@ from .model.structure.building import Building as Building
 from .model.structure.building import BuildingBeams as BuildingBeams
 from .model.structure.building import BuildingColumns as BuildingColumns
 from .model.structure.columns import Column as Column
+from .model.structure.cores import Core as Core
 from .model.structure.frame_members import CircularMember as CircularMember
 from .model.structure.frame_members import GivenMember as GivenMember
 from .model.structure.frame_members import RectangularMember as RectangularMember

@@ -33,6 +33,7 @@ CUSTOMARY: Mapping[str, tuple[str, float]] = MappingProxyType(
         "cm2": _customary("in2", INCH**2 * 1e4),
         "mm2": _customary("in2", INCH**2 * 1e6),
         "m3": _customary("ft3", FOOT**3),
+        "m4": _customary("ft4", FOOT**4),
         "mm/m": _customary("in/ft", INCH * 1e3 / FOOT),
         "cm2/m": _customary("in2/ft", INCH**2 * 1e4 / FOOT),
         "cm2/m2": _customary("in2/ft2", INCH**2 * 1e4 / FOOT**2),

@@ -47,14 +47,17 @@ def run(text: str, **names: object) -> dict[str, object]:
 def test_cases_of_the_page_on_input_load(tmp_path: Path) -> None:
     """The smallest case loads, and with each of the other blocks put behind it."""
     smallest, *others = blocks("input.md", "toml")
-    assert len(others) == 16
+    assert len(others) == 17
     askew, *others = others
     assert casefile.loads(f"{smallest}\n{askew}").columns[0].angle == -20.556
-    shapes, wall, outer, stiff, beams, frame, matrix, hung, *others = others
+    shapes, wall, outer, stairs, stiff, beams, frame, matrix, hung, *others = others
     checks, aci, cracks, combinations, moves, floor, table = others
     assert len(casefile.loads(f"{smallest}\n{shapes}").loads) == 5
     core = casefile.loads(f"{smallest}\n{wall}")
     assert core.acting[-1][1] == LineForce(core.walls[0].edges, q=(250e3, 250e3), width=0.3)
+    by_core = [shape for _, shape in casefile.loads(f"{smallest}\n{stairs}").acting if isinstance(shape, LineForce)]
+    assert sum(line.length * sum(line.q) / 2 for line in by_core) == pytest.approx(2.4e6)
+    assert len(by_core) == 4
     (around,) = casefile.loads(f"{smallest}\n{outer}").placed_walls
     assert around.closed
     assert len(casefile.loads(f"{smallest}\n{beams}").beams) == 5

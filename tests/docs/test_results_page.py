@@ -11,6 +11,7 @@ from groundslab.model.model import Model
 from groundslab.results.fields import PLATE_FIELDS, POINT_FIELDS
 from groundslab.results.results import Results
 from groundslab.views.tables.result_tables import tables_of
+from groundslab.views.tables.structure.cores import core_load_table, core_table
 from groundslab.views.tables.structure.walls import wall_limit_table
 from helpers.paths import DOCS
 
@@ -90,6 +91,15 @@ def test_columns_of_limits_of_walls_are_explained() -> None:
     """The table that a key asks for has a section, too."""
     columns = wall_limit_table(Results(Model(**SLAB), [], {}, {})).columns
     assert explained("wall_limits") == [(column.name, column.unit) for column in columns]
+
+
+def test_columns_of_cores_are_explained() -> None:
+    """Their section and what their walls bring."""
+    wall = {"name": "W", "thickness": 0.3, "points": [(-1, 0), (1, 0), (1, 1)]}
+    load = {"kind": "core", "core": "K", "P": 1e6}
+    model = Model(**SLAB | {"walls": [wall], "cores": [{"name": "K", "walls": ["W"]}], "loads": [load]})
+    for table in (core_table(Results(model, [], {}, {})), core_load_table(Results(model, [], {}, {}))):
+        assert explained(table.name) == [(column.name, column.unit) for column in table.columns]
 
 
 def test_columns_of_joints_are_explained() -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from functools import cache
 from typing import Any
@@ -12,6 +13,7 @@ from groundslab.geometry.plan import get_bounds
 from groundslab.model.design.bars import MESHES, Bars, BarZone
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.model.ground import InterfaceLayer, Layered, Pasternak, Selvadurai, SoilLayer, Vlasov, Winkler
+from groundslab.model.loads.core_loads import CoreLoad
 from groundslab.model.loads.lines import LineLoad, LineMoment
 from groundslab.model.loads.load_cases import Combination, Combine, LoadCase, has_ultimate_combination
 from groundslab.model.loads.load_types import (
@@ -31,7 +33,8 @@ from groundslab.model.settings import Analysis, Beyond, Contact, Mesh
 from groundslab.model.shapes import Circle, Polygon, Rectangle
 from groundslab.model.structure.beams import Beam, GivenSection, RectangularSection, RibSection
 from groundslab.model.structure.columns import Column
-from groundslab.model.structure.walls import Wall
+from groundslab.model.structure.cores import Core
+from groundslab.model.structure.walls import Wall, WallOpening
 from groundslab.model.supports import LineSupport, PointSupport
 from groundslab.model.varying_ground import Borehole, GapPoint, SoilZone, Void
 from groundslab.schema.base import Section
@@ -342,7 +345,11 @@ def walls(draw: st.DrawFn, plate: Plate, names: list[str]) -> list[Wall]:
             closing = places[:1] if len(places) > 2 and draw(st.booleans()) else []
             points = [(x / 8 * plate.length_x, y / 8 * plate.length_y) for x, y in [*places, *closing]]
             bulges = draw(st.just([]) | st.lists(numbers(-1.0, 1.0), min_size=1, max_size=len(points) - 1))
-            wall = Wall(name=name, thickness=thickness, points=points, bulges=bulges)
+            doors = []
+            if len(points) == 2 and not bulges and draw(st.booleans()):
+                length = math.dist(*points)
+                doors = [WallOpening(start=0.3 * length, end=0.5 * length, height=draw(st.floats(0.1, 1.0)) * length)]
+            wall = Wall(name=name, thickness=thickness, points=points, bulges=bulges, openings=doors)
             x0, x1, y0, y1 = get_bounds(wall.edges)
             inside = max(-x0, x1) <= plate.length_x / 2 and max(-y0, y1) <= plate.length_y / 2
             made.append(wall if inside else Wall(name=name, thickness=thickness, points=points))
@@ -605,6 +612,12 @@ def rich_models(draw: st.DrawFn, whole: bool = False) -> Model:
     for wall in around:
         q, m = draw(st.floats(1e3, 2e5)), draw(st.none() | st.floats(-2e4, 2e4).filter(lambda m: abs(m) > 1))
         loads.append(draw(load_on_wall(wall, q, m, case=draw(st.sampled_from(cases)).name if cases else "")))
+    # walls may lie on each other, of which cores share none
+    straight = [wall for wall in around if wall.points and not wall.bulges][:1]
+    cores = [Core(name=f"core {wall.name}", walls=[wall.name]) for wall in straight]
+    for core in cores:
+        case = draw(st.sampled_from(cases)).name if cases else ""
+        loads.append(CoreLoad(core=core.name, P=draw(st.floats(1e3, 1e6)), case=case))
     # a weight, so that most of them can be balanced
     loads.insert(0, UniformLoad(q=draw(st.floats(1e3, 1e5)), case=cases[0].name if cases else ""))
     extra: dict[str, Any] = {}
@@ -624,6 +637,7 @@ def rich_models(draw: st.DrawFn, whole: bool = False) -> Model:
         supports=supports,
         columns=stand,
         walls=around,
+        cores=cores,
         beams=ribs,
         cases=cases,
         loads=loads,

@@ -129,10 +129,10 @@ def _check_as_json(file: str) -> int:
 
 
 def _structure_and_supports(model: Model) -> list[str]:
-    """Return the columns, walls, beams, building and supports of a model in words, a line each."""
+    """Return the columns, walls, cores, beams, building and supports of a model in words, a line each."""
     from groundslab.messages import Message, Name, joined
 
-    lines = [*_columns(model), *_walls(model), *_beams(model)]
+    lines = [*_columns(model), *_walls(model), *_cores(model), *_beams(model)]
     if (above := model.building) is not None:
         count = len(above.storeys)
         listed = f"{count} storey{'s' * (count > 1)}"
@@ -184,17 +184,34 @@ def _walls(model: Model) -> list[str]:
         if wall.height is not None:
             share = _share(wall.stiffness)
             parts.append(Message("a deep beam {height:g m} high{share}", height=wall.height, share=share))
-            parts += [
-                Message(
-                    "an opening {height:g m} high from {start:g m} to {end:g m}",
-                    height=hole.height,
-                    start=hole.start,
-                    end=hole.end,
-                )
-                for hole in wall.openings
-            ]
+        parts += [
+            Message(
+                "an opening {height:g m} high from {start:g m} to {end:g m}",
+                height=hole.height,
+                start=hole.start,
+                end=hole.end,
+            )
+            for hole in wall.openings
+        ]
         lines.append(Message("  wall {wall}: {size}", wall=Name(wall.name), size=joined(parts)))
     return lines
+
+
+def _cores(model: Model) -> list[str]:
+    """Return the cores in words."""
+    from groundslab.messages import Message, Name
+    from groundslab.model.structure.cores import section_of
+
+    sections = [(core.name, section_of(core, model.walls, model.every_plate)) for core in model.cores]
+    return [
+        Message(
+            "  core {core}: {area:.4g m2} in plan about {center:at m}",
+            core=Name(name),
+            area=section.area,
+            center=section.center,
+        )
+        for name, section in sections
+    ]
 
 
 def _beams(model: Model) -> list[str]:

@@ -40,7 +40,7 @@ from groundslab.model.model import Model
 from groundslab.model.plate import Plate
 
 #: Parts of a model on which the loading of a mesh depends.
-ACTING = ("plate", "plates", "columns", "walls", "beams", "supports", "cases", "loads")
+ACTING = ("plate", "plates", "columns", "walls", "cores", "beams", "supports", "cases", "loads")
 
 
 def discretize(

@@ -25,6 +25,7 @@ from groundslab.model.design.reinforcement import (
 from groundslab.model.ground import AnyGround, ContinuousGround, Continuum, Layered, SoilLayer, Winkler, carry_shear
 from groundslab.model.loads.beside import check_ground_loads
 from groundslab.model.loads.clipping import check_distributed_loads
+from groundslab.model.loads.core_loads import check_core_moments
 from groundslab.model.loads.en1990 import check_combine
 from groundslab.model.loads.load_cases import (
     Combination,
@@ -35,7 +36,13 @@ from groundslab.model.loads.load_cases import (
 )
 from groundslab.model.loads.load_types import AnyLoad, SettlementLoad, is_zero
 from groundslab.model.loads.patterns import Move, check_patterns, check_positions
-from groundslab.model.loads.placement import check_load_columns, check_load_walls, check_point_loads, on_plate
+from groundslab.model.loads.placement import (
+    check_load_columns,
+    check_load_cores,
+    check_load_walls,
+    check_point_loads,
+    on_plate,
+)
 from groundslab.model.outputs import check_output, check_wall_limits
 from groundslab.model.plate import Plate
 from groundslab.model.plates.joints import AnyJoint, check_joints
@@ -45,6 +52,8 @@ from groundslab.model.reactions import check_reactions
 from groundslab.model.settings import SIDES, Beyond, Contact, Mesh
 from groundslab.model.structure.building import check_building
 from groundslab.model.structure.columns import Column
+from groundslab.model.structure.cores import Core, check_cores
+from groundslab.model.structure.doors import check_doors
 from groundslab.model.structure.members import as_beam, check_members
 from groundslab.model.structure.spans import spans_of
 from groundslab.model.structure.walls import Wall, WallFaces
@@ -199,12 +208,13 @@ def check_columns(
 
 
 def check_walls(plate: Plate, plates: tuple[FurtherPlate, ...], walls: tuple[Wall, ...]) -> Iterator[RelativeIssue]:
-    """Find walls without a unique name, along no edge of a plate, or whose axis leaves the plate.
+    """Find walls without a unique name, along no edge of a plate, or whose axis leaves the plate, and unfit doors.
 
     One along an edge stands on the plate with all of its thickness.
     """
     yield from check_names("walls", [wall.name for wall in walls], needed=True)
     covered = PlateRegion(plate, plates)
+    near = TOO_CLOSE * covered.size
     for position, wall in enumerate(walls):
         try:
             placed = wall.on(covered.every)
@@ -214,6 +224,25 @@ def check_walls(plate: Plate, plates: tuple[FurtherPlate, ...], walls: tuple[Wal
             if wall.height is not None and spans_of(as_beam(placed), plate, plates):
                 continue  # over openings of the plate it is checked as a beam
             yield from on_plate(covered, placed if wall.edge is None else WallFaces(placed), ("walls", position))
+            yield from (issue.below(("walls", position)) for issue in check_doors(placed, near) if placed.doors)
+
+
+def check_walls_of_cores(
+    plate: Plate, plates: tuple[FurtherPlate, ...], walls: tuple[Wall, ...], cores: tuple[Core, ...]
+) -> Iterator[RelativeIssue]:
+    """Find cores whose walls are not there, bend in arcs, lie on each other or are in another one."""
+    yield from check_cores(cores, walls, list_plates(plate, plates))
+
+
+def check_moments_of_cores(
+    plate: Plate,
+    plates: tuple[FurtherPlate, ...],
+    walls: tuple[Wall, ...],
+    cores: tuple[Core, ...],
+    loads: tuple[AnyLoad, ...],
+) -> Iterator[RelativeIssue]:
+    """Find moments that the walls of a core cannot carry."""
+    yield from check_core_moments(loads, cores, walls, list_plates(plate, plates))
 
 
 def check_supports(
@@ -359,15 +388,18 @@ LOADS: tuple[Check, ...] = (
     check_combine,
     check_load_columns,
     check_load_walls,
+    check_load_cores,
+    check_moments_of_cores,
     check_patterns,
     check_positions,
     check_settlement_loads,
     check_reactions,
 )
-#: Of columns, walls, beams, the building and supports.
+#: Of columns, walls, cores, beams, the building and supports.
 MEMBERS: tuple[Check, ...] = (
     check_columns,
     check_walls,
+    check_walls_of_cores,
     check_members,
     check_building,
     check_supports,

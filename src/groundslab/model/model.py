@@ -21,6 +21,7 @@ from groundslab.model.design.limits import Limits, SoilStrength
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.model.ground import Ground, carry_shear
 from groundslab.model.loads.acting import Acting
+from groundslab.model.loads.core_loads import CoreLoad
 from groundslab.model.loads.lines import LineLoad, LineMoment
 from groundslab.model.loads.load_cases import Combination, Combine, LoadCase
 from groundslab.model.loads.load_types import AnyLoad, Load, PointLoad, SelfWeight
@@ -36,6 +37,7 @@ from groundslab.model.settings import Analysis, Beyond, Contact, Mesh
 from groundslab.model.structure.beams import Beam
 from groundslab.model.structure.building import Building, bases, frame_lines
 from groundslab.model.structure.columns import Column
+from groundslab.model.structure.cores import Core, section_of
 from groundslab.model.structure.members import as_beam, members_of, wall_of_members
 from groundslab.model.structure.spans import Ways, spans_as_segments, spans_of
 from groundslab.model.structure.walls import Wall, place_walls
@@ -88,6 +90,9 @@ class Model(Section):
     walls: Annotated[
         tuple[Wall, ...],
         Table("walls on the plate, which loads name; shear is checked from their faces on, punching at ends", 10_000),
+    ] = ()
+    cores: Annotated[
+        tuple[Core, ...], Table("cores of the building: walls over which their force and moments are distributed", 1000)
     ] = ()
     beams: Annotated[tuple[Beam, ...], Table("beams and ribs cast with the plate, which stiffen it", 1000)] = ()
     building: Annotated[
@@ -233,12 +238,15 @@ class Model(Section):
         return tuple(wall for wall in self.walls if wall.height is not None)
 
     def shapes(self, load: AnyLoad) -> tuple[Acting, ...]:
-        """Return the acting shapes of a load, at the place of its column or wall if it names one."""
+        """Return the acting shapes of a load, at the place of its column, wall or core if it names one."""
         if isinstance(load, PointLoad):
             return load.on(self.columns).acts
         if isinstance(load, LineLoad | LineMoment) and load.wall:
             named = [wall for wall in self.walls if wall.name == load.wall]
-            return load.on(place_walls(named, self.every_plate)).acts
+            return load.acts_on(place_walls(named, self.every_plate))
+        if isinstance(load, CoreLoad):
+            core = next(core for core in self.cores if core.name == load.core)
+            return load.acts_on(section_of(core, self.walls, self.every_plate))
         if isinstance(load, SelfWeight) and load.beams:
             return *load.acts, *weights_of(self.beams, self.plate, self.plates, load)
         return load.acts

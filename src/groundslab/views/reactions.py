@@ -83,14 +83,15 @@ def support_reactions(results: CombinationResult) -> Iterator[Reaction]:
 
 
 def wall_reactions(results: CombinationResult) -> Iterator[Reaction]:
-    """Yield what each wall does to the plate: the loads that name it, and what the building above adds."""
+    """Yield what each wall does to the plate: what acts through it, and what the building above adds."""
     for wall in results.model.placed_walls:
-        force, _ = loads_on_wall(results.model, wall).in_combination(results)
+        loads = loads_on_wall(results.model, wall)
+        force, _ = loads.in_combination(results)
         if force.any():
             edge = wall.edges[len(wall.edges) // 2]
             x, y = edge.at(np.array([0.5]))[0]
-            most = float(max(force, key=abs))
-            yield Reaction(wall.name, (float(x), float(y)), -wall.length * float(force.mean()), -most)
+            most = float(max(force.ravel(), key=abs))
+            yield Reaction(wall.name, (float(x), float(y)), -loads.sum_of(force), -most)
 
 
 def _place_of(support: SupportResult) -> tuple[float, float]:

@@ -117,8 +117,8 @@ ONE_FAULT = [
         case(loads=[{"kind": "blob"}]),
         "loads[1].kind",
         '"blob"',
-        '"uniform", "patch", "area", "line", "line moment", "point", "self weight", "temperature", "shrinkage" or '
-        '"settlement"',
+        '"uniform", "patch", "area", "line", "line moment", "point", "self weight", "temperature", "shrinkage", '
+        '"settlement" or "core"',
     ),
     # ground
     (case(ground={"kind": "winkler"}), "ground", "neither k nor selvadurai", "exactly one of k and selvadurai"),

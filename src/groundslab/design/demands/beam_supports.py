@@ -19,7 +19,7 @@ from groundslab.geometry.plan import FLAT
 from groundslab.model.model import Model
 from groundslab.model.structure.beams import Beam, RibSection
 from groundslab.model.structure.lines import flat_line
-from groundslab.model.structure.walls import Wall
+from groundslab.model.structure.walls import WallPiece
 from groundslab.model.supports import LineSupport
 from groundslab.results.records import BeamResult
 
@@ -75,7 +75,7 @@ def _shapes(model: Model, beam: Beam, side: str, chord: float, near: float) -> I
             yield LineString(support.points), side == "below"
         else:
             yield Point(support.x, support.y).buffer(max((support.diameter or 0.0) / 2, near)), side == "below"
-    others: list[Beam | Wall] = [*model.beams, *model.walls]
+    others: list[Beam | WallPiece] = [*model.beams, *(piece for wall in model.placed_walls for piece in wall.pieces)]
     for other in others:
         if other is not beam:
             yield flat_line(other.edges, chord), False

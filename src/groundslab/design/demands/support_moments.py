@@ -224,7 +224,8 @@ def averaging_lines(results: CombinationResult, steel: Reinforcement) -> tuple[L
     """Return the lines over which moments are averaged for bars along x, and along y; None where there are none."""
     rule, plate = steel.averaging, results.plate
     areas = support_areas(results, steel) if rule.at_columns != "peak" else ()
-    walls = [edge for wall in results.model.placed_walls for edge in ((wall.thickness, e) for e in wall.edges)]
+    pieces = [piece for wall in results.model.placed_walls for piece in wall.pieces]
+    walls = [(piece.thickness, edge) for piece in pieces for edge in piece.edges]
     if rule.at_walls == "peak":
         walls = []
     parts = _parts(plate.elements, len(plate.nodes))

@@ -17,7 +17,7 @@ from groundslab.accuracy.values import estimate_error
 from groundslab.arrays import Array, made_once_by
 from groundslab.design.demands.by_plate import plate_under
 from groundslab.design.demands.edge_strip import plates_that_count
-from groundslab.design.demands.loads.wall_loads import WallLoads, loads_on_wall
+from groundslab.design.demands.loads.wall_loads import WallLoads, forces_on_walls, loads_on_wall
 from groundslab.design.demands.perimeter_loads import footprint_of, thickness_at
 from groundslab.design.demands.perimeters import FAR, Openings, outline, shadow_of
 from groundslab.design.demands.wall_perimeters import LoadedArea, WallPerimeters, loaded_area, wall_perimeters
@@ -87,8 +87,8 @@ class WallPunching:
 
 
 def loaded_ends(model: Model) -> tuple[WallEnd, ...]:
-    """Return the ends and corners of walls that any load names."""
-    loaded = {getattr(load, "wall", "") for load in model.loads} - {""}
+    """Return the ends and corners of walls through which any load acts."""
+    loaded = forces_on_walls(model)
     if not loaded:
         return ()
     return tuple(
@@ -176,20 +176,20 @@ def _punching(
 def forces_at_ends(model: Model, results: Sequence[CombinationResult]) -> dict[tuple[str, str], float]:
     """Return by how much loads press at ends and corners of walls [N/m], negative if they pull.
 
-    They are the loads that name the walls; by combination and name.
+    They are the loads that act through the walls; by combination and name.
     """
     ends = loaded_ends(model)
-    loads = {wall.name: loads_on_wall(model, wall) for wall in model.placed_walls} if ends else {}
-    return {(result.combination, end.name): _force(end, loads, result) for result in results for end in ends}
+    walls = {wall.name: (wall.length, loads_on_wall(model, wall)) for wall in model.placed_walls} if ends else {}
+    return {(result.combination, end.name): _force(end, walls, result) for result in results for end in ends}
 
 
-def _force(end: WallEnd, loads: Mapping[str, WallLoads], result: CombinationResult) -> float:
-    """Return by how much the loads that name the walls of an end or a corner press on the slab there [N/m]."""
+def _force(end: WallEnd, walls: Mapping[str, tuple[float, WallLoads]], result: CombinationResult) -> float:
+    """Return by how much the loads of the walls, of known length [m], of an end or a corner press there [N/m]."""
     force = 0.0
     for leg in end.legs:
-        start, final = loads[leg.wall].in_combination(result)[0]
-        force += start + leg.share * (final - start)
-    return float(force)
+        length, loads = walls[leg.wall]
+        force += loads.at(leg.share * length, loads.in_combination(result)[0])
+    return force
 
 
 def _sites(

@@ -23,6 +23,8 @@ from groundslab.model.shapes import CHORD
 from groundslab.model.structure.beams import Beam, GivenSection
 from groundslab.model.structure.beta import Beta, beta_field
 from groundslab.model.structure.columns import Column
+from groundslab.model.structure.doors import check_doors
+from groundslab.model.structure.lines import NO_LENGTH
 from groundslab.model.structure.wall_ends import wall_ends
 from groundslab.model.structure.walls import Wall, place_walls
 from groundslab.model.supports import AnySupport, check_names
@@ -492,7 +494,8 @@ def check_links(
         return
     known = [column.name for column in columns]
     known += [support.name or f"support {number}" for number, support in enumerate(supports, start=1)]
-    known += [end.name for end in wall_ends(place_walls(walls, list_plates(plate, plates)))]
+    placed = [wall for wall in place_walls(walls, list_plates(plate, plates)) if not any(check_doors(wall, NO_LENGTH))]
+    known += [end.name for end in wall_ends(placed)]
     for position, links in enumerate(reinforcement.links):
         if known.count(links.of) > 1:
             found, expected = f"{quote(links.of)}, the name of several", "other names of some of them"

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Literal, assert_never
 
 import numpy as np
@@ -82,6 +82,8 @@ class LineForce:
     q: tuple[float, float] = (0.0, 0.0)  # at start and end [N/m], downwards positive
     m: tuple[float, float] = (0.0, 0.0)  # [N m/m], positive if it presses what lies to the left down
     width: float = 0.0  # across the line, over which they are spread [m]
+    wall: str = field(default="", compare=False)  # name of the wall through which it acts
+    start: float = field(default=0.0, compare=False)  # how far along that wall it begins [m]
 
     @property
     def length(self) -> float:

@@ -188,8 +188,9 @@ class _Drawn:
 
 
 def _drawn_shapes(loads: Sequence[AnyLoad], walls: tuple[Wall, ...]) -> list[_Drawn]:
-    """Return the areas and lines of loads, but for those on walls that are unknown."""
+    """Return the areas and lines of loads, but for those on walls that are unknown; walls with all of their axes."""
     wall_names = {wall.name for wall in walls}
+    walls = tuple(wall.model_copy(update={"openings": ()}) for wall in walls)
     return [
         _Drawn(
             position,
@@ -201,7 +202,7 @@ def _drawn_shapes(loads: Sequence[AnyLoad], walls: tuple[Wall, ...]) -> list[_Dr
         )
         for position, load in enumerate(loads)
         if isinstance(load, Spread) and getattr(load, "wall", "") in {"", *wall_names}
-        for shape in (load.on(walls) if isinstance(load, LineLoad | LineMoment) else load).acts
+        for shape in (load.acts_on(walls) if isinstance(load, LineLoad | LineMoment) else load.acts)
     ]
 
 

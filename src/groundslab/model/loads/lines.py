@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
-from typing import Annotated, ClassVar, Literal, TypeVar
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import replace
+from typing import Annotated, ClassVar, Literal
 
 from groundslab.model.axes.crossings import AtCrossings
 from groundslab.model.ground import POSITIVE
 from groundslab.model.loads.acting import LineForce
 from groundslab.model.loads.base import Magnitude, Source, _Load
 from groundslab.model.shapes import AnyShape
+from groundslab.model.structure.doors import carried_over_doors
 from groundslab.model.structure.lines import (
     LineBulges,
     LinePoints,
@@ -18,6 +20,7 @@ from groundslab.model.structure.lines import (
     check_line,
     check_line_length,
     line_segments,
+    part_of_line,
 )
 from groundslab.model.structure.walls import Wall
 from groundslab.schema.base import Check
@@ -78,7 +81,8 @@ def _at_ends(start: float, end: float | None) -> tuple[float, float]:
     return start, start if end is None else end
 
 
-OnLine = TypeVar("OnLine", "LineLoad", "LineMoment")
+#: A part of a line, and what acts on it per length at both of its ends.
+Part = tuple[LineForce, tuple[float, float]]
 
 LineWidth = Annotated[
     float | None,
@@ -95,14 +99,18 @@ OnWall = Annotated[
 ]
 
 
-def _on_wall(load: OnLine, walls: tuple[Wall, ...]) -> OnLine:
-    """Return a load with the line and the thickness of its wall, itself if it stands on none."""
+def _along(load: LineLoad | LineMoment, walls: Iterable[Wall], ends: tuple[float, float]) -> Iterator[Part]:
+    """Yield the parts of a load's line, each with what acts at both of its ends."""
     if not load.wall:
-        return load
+        yield LineForce(line_segments(load.points, load.bulges, load.shape), width=load.width or 0.0), ends
+        return
     wall = next(wall for wall in walls if wall.name == load.wall)
-    line = {"points": wall.points, "bulges": wall.bulges, "shape": wall.shape, "width": wall.thickness}
-    # nothing is checked again: a wall's line is valid for a load, too
-    return load.model_copy(update={"wall": "", **line})
+    line = LineForce(wall.edges, width=wall.thickness, wall=wall.name)
+    if not wall.doors:
+        yield line, ends
+    for part in carried_over_doors(wall, ends) if wall.doors else ():
+        edges = line_segments(*part_of_line(wall.edges, part.start, part.end), None)
+        yield replace(line, edges=edges, start=part.start), part.values
 
 
 class LineLoad(_Load):
@@ -132,14 +140,14 @@ class LineLoad(_Load):
         return (("q", start, "force per length"), ("q_end", end, "force per length"))
 
     @property
-    def acts(self) -> tuple[LineForce]:
-        """The force along the line."""
-        edges = line_segments(self.points, self.bulges, self.shape)
-        return (LineForce(edges, q=_at_ends(self.q, self.q_end), width=self.width or 0.0),)
+    def acts(self) -> tuple[LineForce, ...]:
+        """The force along the line, if that is its own."""
+        return self.acts_on(())
 
-    def on(self, walls: tuple[Wall, ...]) -> LineLoad:
-        """Return the load with the line and the thickness of its wall, itself if it stands on none."""
-        return _on_wall(self, walls)
+    def acts_on(self, walls: Iterable[Wall]) -> tuple[LineForce, ...]:
+        """Return the force along the line, or along its wall and over the thickness of that."""
+        ends = _at_ends(self.q, self.q_end)
+        return tuple(replace(line, q=values) for line, values in _along(self, walls, ends))
 
 
 class LineMoment(_Load):
@@ -182,11 +190,11 @@ class LineMoment(_Load):
         return (("m", start, "moment per length"), ("m_end", end, "moment per length"))
 
     @property
-    def acts(self) -> tuple[LineForce]:
-        """The couple along the line."""
-        edges = line_segments(self.points, self.bulges, self.shape)
-        return (LineForce(edges, m=_at_ends(self.m, self.m_end), width=self.width or 0.0),)
+    def acts(self) -> tuple[LineForce, ...]:
+        """The couple along the line, if that is its own."""
+        return self.acts_on(())
 
-    def on(self, walls: tuple[Wall, ...]) -> LineMoment:
-        """Return the load with the line and the thickness of its wall, itself if it stands on none."""
-        return _on_wall(self, walls)
+    def acts_on(self, walls: Iterable[Wall]) -> tuple[LineForce, ...]:
+        """Return the couple along the line, or along its wall and over the thickness of that."""
+        ends = _at_ends(self.m, self.m_end)
+        return tuple(replace(line, m=values) for line, values in _along(self, walls, ends))

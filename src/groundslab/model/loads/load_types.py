@@ -19,6 +19,7 @@ from groundslab.model.loads.acting import (
     loaded_parts,
 )
 from groundslab.model.loads.base import Magnitude, Source, _Load
+from groundslab.model.loads.core_loads import CoreLoad
 from groundslab.model.loads.lines import LineLoad, LineMoment
 from groundslab.model.shapes import AcrossX, AcrossY, AnyShape, Shape
 from groundslab.model.structure.columns import TURN, Column, check_angle, check_footprint, footprint
@@ -350,6 +351,7 @@ AnyLoad = (
     | TemperatureLoad
     | ShrinkageLoad
     | SettlementLoad
+    | CoreLoad
 )
 #: Loads of a size given by area or length, which may reach over the plate's edge, where they are cut off; others with a
 #: place must lie on the plate.

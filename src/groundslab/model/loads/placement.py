@@ -17,6 +17,7 @@ from groundslab.model.plates.region import NO_PART, PlateRegion, get_plate_regio
 from groundslab.model.shapes import CHORD
 from groundslab.model.structure.beams import Beam, RectangularSection
 from groundslab.model.structure.columns import Column
+from groundslab.model.structure.cores import Core
 from groundslab.model.structure.lines import line_segments, part_of_line
 from groundslab.model.structure.spans import spans_of, ways_on_plates
 from groundslab.model.structure.walls import Wall
@@ -101,6 +102,11 @@ def check_load_columns(loads: tuple[AnyLoad, ...], columns: tuple[Column, ...]) 
     yield from _check_names_of(loads, "column", [column.name for column in columns])
 
 
+def check_load_cores(loads: tuple[AnyLoad, ...], cores: tuple[Core, ...]) -> Iterator[RelativeIssue]:
+    """Find loads of unknown cores."""
+    yield from _check_names_of(loads, "core", [core.name for core in cores])
+
+
 def check_load_walls(loads: tuple[AnyLoad, ...], walls: tuple[Wall, ...]) -> Iterator[RelativeIssue]:
     """Find loads on unknown walls, and those that vary along a wall without ends."""
     yield from _check_names_of(loads, "wall", [wall.name for wall in walls])
@@ -115,7 +121,7 @@ def check_load_walls(loads: tuple[AnyLoad, ...], walls: tuple[Wall, ...]) -> Ite
 
 
 def _check_names_of(loads: tuple[AnyLoad, ...], key: str, names: list[str]) -> Iterator[RelativeIssue]:
-    """Find loads on unknown columns, or on unknown walls."""
+    """Find loads on unknown columns, walls or cores."""
     known_names = {"", *names}
     for position, load in enumerate(loads):
         name = getattr(load, key, "")

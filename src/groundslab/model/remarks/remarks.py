@@ -20,6 +20,7 @@ from groundslab.model.loads.load_types import SelfWeight
 from groundslab.model.loads.patterns import Vehicle, absent_forces
 from groundslab.model.plates.region import get_plate_region
 from groundslab.model.remarks.case_use import CaseUse, case_uses
+from groundslab.model.remarks.pulling_cores import pulling_cores
 from groundslab.model.remarks.resultants import case_forces
 from groundslab.model.remarks.unusual import unusual_quantities
 from groundslab.model.structure.columns import overlapping_columns
@@ -103,6 +104,7 @@ def find_remarks(model: Model, combinations: Sequence[Combination] | None = None
         *_on_columns(model),
         *_on_spans(model),
         *_on_clipped_loads(model),
+        *(Remark(("cores", number), words) for number, words in pulling_cores(model, combinations)),
         *_on_patterns(model),
         *_on_moves(model),
         *_on_boreholes(model),

@@ -49,6 +49,7 @@ USUAL: dict[str, dict[str, tuple[float, float]]] = {
     "AreaLoad": {"q": _FOOTPRINT},
     "LineLoad": {"q": _LINE, "q_end": _LINE},
     "PointLoad": {"P": _FORCE},
+    "CoreLoad": {"P": _FORCE},
     "SelfWeight": {"unit_weight": _WEIGHT},
     "TemperatureLoad": {"difference": (1.0, 80.0)},
     "SettlementLoad": {"w": (1e-3, 0.3)},

@@ -329,6 +329,9 @@ def _check_names(building: Building, columns: tuple[Column, ...], walls: tuple[W
             )
         elif name in of_columns and name in of_walls:
             yield RelativeIssue(where, f"{quote(name)}, a column and a wall", "a name that only one of them has")
+        elif name in of_walls and of_walls[name].doors:
+            expected, hint = "a wall without doors", "its parts between doors are walls by themselves"
+            yield RelativeIssue(where, f"wall {quote(name)}, which has openings", expected, hint)
         elif name in of_walls and not building.nodes and (found := _why_no_member(of_walls[name])):
             yield RelativeIssue(where, f"wall {quote(name)}, {found[0]}", found[1])
 

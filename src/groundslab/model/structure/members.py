@@ -17,6 +17,7 @@ from groundslab.model.plates.joints import AnyJoint
 from groundslab.model.plates.other_plates import AnyPlate, FurtherPlate, bounds_of, list_plates, shared_line
 from groundslab.model.plates.region import PlateRegion, get_plate_region
 from groundslab.model.structure.beams import Beam, RectangularSection
+from groundslab.model.structure.doors import check_within
 from groundslab.model.structure.lines import SAME, part_of_line
 from groundslab.model.structure.spans import check_spans, paths_on_plates, spans_of
 from groundslab.model.structure.walls import Wall, place_walls
@@ -142,10 +143,8 @@ def _check_stiff_wall(number: int, wall: Wall, near: float) -> Iterator[Relative
     """Find openings of walls with a height that are none, or leave parts shorter than elements may be near [m]."""
     place = ("walls", number)
     assert wall.height is not None
+    yield from (issue.below(place) for issue in check_within(wall))
     for position, opening in enumerate(wall.openings):
-        if opening.end > wall.length * (1 + SAME):
-            expected = f"at most the wall's length, {wall.length:.6g} m"
-            yield RelativeIssue((*place, "openings", position, "end"), f"{opening.end!r} m", expected)
         if opening.height >= wall.height:
             expected = f"less than the wall's, {wall.height!r} m"
             yield RelativeIssue((*place, "openings", position, "height"), f"{opening.height!r} m", expected)

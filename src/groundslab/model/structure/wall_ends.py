@@ -20,7 +20,7 @@ from groundslab.geometry.plan import FLAT, Place, Segment, get_bounds
 from groundslab.messages import Message, Name, series
 from groundslab.model.structure.lines import line_segments, part_of_line
 from groundslab.model.structure.spans import Ways
-from groundslab.model.structure.walls import Wall
+from groundslab.model.structure.walls import Wall, WallPiece
 
 #: An axis that turns by more has a corner, and of walls that meet the outer angle is larger than 180 degrees by more.
 KINK = math.radians(15.0)
@@ -37,6 +37,7 @@ class WallLeg:
     length: float  # of its axis up to its next end or corner [m]
     share: float  # of the wall's length that lies before the place
     over: float | None = None  # that length [m] where the wall goes on over an opening of the plate
+    jamb: float | None = None  # that length [m] where a door begins or ends
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,6 +64,8 @@ class WallEnd:
             leg = self.legs[0]
             if leg.over is not None:
                 return Message("edge at {over:.6g m}", over=leg.over)
+            if leg.jamb is not None:
+                return Message("jamb at {way:.6g m}", way=leg.jamb)
             return "end" if leg.share else "start"
         return Message("corner {number}", number=self.number) if self.number else "corner"
 
@@ -95,7 +98,8 @@ class _Run:
 def wall_ends(walls: Sequence[Wall], spans: Mapping[str, Ways] | None = None) -> tuple[WallEnd, ...]:
     """Return the free ends and the corners of walls.
 
-    Where a wall spans an opening of the plate, from way to way along it [m] by its name, it ends at both edges.
+    Where a wall spans an opening of the plate, from way to way along it [m] by its name, it ends at both edges, as it
+    does at the jambs of its doors.
     """
     known_spans = spans or {}
     runs = [
@@ -117,22 +121,33 @@ def wall_ends(walls: Sequence[Wall], spans: Mapping[str, Ways] | None = None) ->
 
 
 def _runs(wall: Wall) -> Iterator[_Run]:
-    """Yield the parts of a wall's axis between its ends and corners; none of a closed one without corners."""
-    edges = wall.edges
-    ways = np.cumsum([0.0, *(edge.length for edge in edges)])
-    turned = [_turn(before, after) > KINK for before, after in pairwise((edges[-1], *edges))]
-    corners = [number for number, has in enumerate(turned) if has and (number or wall.closed)]
-    around = [number + len(edges) for number in corners[:1]]
-    bounds = [*corners, *around] if wall.closed else [0, *corners, len(edges)]
-    for first, last in pairwise(bounds):
-        run_edges = tuple(edges[number % len(edges)] for number in range(first, last))
-        length = sum(edge.length for edge in run_edges)
-        start, end = (float(ways[first] / ways[-1]), float(ways[(last - 1) % len(edges) + 1] / ways[-1]))
-        tips = (
-            WallLeg(wall.name, wall.thickness, run_edges[0].start, run_edges[0].direction(0.0), length, start),
-            WallLeg(wall.name, wall.thickness, run_edges[-1].end, run_edges[-1].direction(1.0) + math.pi, length, end),
-        )
-        yield _Run(wall.thickness, run_edges, tips)
+    """Yield the parts of a wall's axis between its ends, jambs and corners; none of a closed one without any."""
+    for piece in wall.pieces:
+        edges = piece.edges
+        turned = [_turn(before, after) > KINK for before, after in pairwise((edges[-1], *edges))]
+        corners = [number for number, has in enumerate(turned) if has and (number or piece.closed)]
+        around = [number + len(edges) for number in corners[:1]]
+        bounds = [*corners, *around] if piece.closed else [0, *corners, len(edges)]
+        for first, last in pairwise(bounds):
+            yield _run_of(wall, piece, first, last)
+
+
+def _run_of(wall: Wall, piece: WallPiece, first: int, last: int) -> _Run:
+    """Return the part of a piece of a wall from one of its edges to another, counted on around a closed one."""
+    ways = np.cumsum([piece.start, *(edge.length for edge in piece.edges)]).tolist()
+    ways[-1] = piece.end
+    run_edges = tuple(piece.edges[number % len(piece.edges)] for number in range(first, last))
+    length, whole = sum(edge.length for edge in run_edges), wall.length
+    after = (last - 1) % len(piece.edges) + 1
+    start, end = (way if way <= whole else way - whole for way in (ways[first], ways[after]))
+    begin = WallLeg(wall.name, wall.thickness, run_edges[0].start, run_edges[0].direction(0.0), length, start / whole)
+    back = run_edges[-1].direction(1.0) + math.pi
+    finish = WallLeg(wall.name, wall.thickness, run_edges[-1].end, back, length, end / whole)
+    if not piece.closed and first == 0 and piece.start > 0:
+        begin = replace(begin, jamb=start)
+    if not piece.closed and last == len(piece.edges) and piece.end != whole:
+        finish = replace(finish, jamb=end)
+    return _Run(wall.thickness, run_edges, (begin, finish))
 
 
 def _beside(run: _Run, wall: Wall, spans: Ways) -> Iterator[_Run]:

@@ -25,6 +25,7 @@ from groundslab.model.structure.lines import (
     flat_line,
     line_area,
     line_segments,
+    part_of_line,
 )
 from groundslab.schema.base import Check, Section
 from groundslab.schema.fields import MOST_VALUES, Integer, Number, Quantity, Text
@@ -68,13 +69,13 @@ def _check_ends(start: float, end: float) -> Iterator[RelativeIssue]:
 
 def _check_height(height: float | None, given: set[str]) -> Iterator[RelativeIssue]:
     """Find keys that only a wall with a height has a use for."""
-    for key in ("E", "nu", "stiffness", "openings"):
+    for key in ("E", "nu", "stiffness"):
         if height is None and key in given:
             yield RelativeIssue((key,), f"{key} without a height", "a height", "without it a wall has no stiffness")
 
 
 class WallOpening(Section):
-    """An opening in a wall that has a height."""
+    """An opening in a wall: where it is less high, or the door of a wall without a height."""
 
     constraints: ClassVar[tuple[Check, ...]] = (_check_ends,)
 
@@ -82,7 +83,29 @@ class WallOpening(Section):
         float, Quantity("length", "s_1", "where it begins, along the axis", Range(at_least=0), example="1 m")
     ]
     end: Annotated[float, Quantity("length", "s_2", "where it ends, along the axis", POSITIVE, example="2 m")]
-    height: Annotated[float, Quantity("length", "h_o", "height that is missing there", POSITIVE, example="2.1 m")]
+    height: Annotated[
+        float,
+        Quantity("length", "h_o", "height that is missing there; of a door its height", POSITIVE, example="2.1 m"),
+    ]
+
+
+@dataclass(frozen=True, slots=True)
+class WallPiece:
+    """A part of a wall between doors, all of one that has none."""
+
+    edges: tuple[Segment, ...]
+    start: float  # how far along the wall it begins [m]
+    end: float  # where it ends, of a closed wall beyond its length if that is after its start
+    thickness: float  # [m]
+    closed: bool = False
+
+    def to_shapely(self, chord: float) -> LineString:
+        """Return its axis, arcs as chords at most so far off [m]."""
+        return flat_line(self.edges, chord)
+
+    def area(self, chord: float) -> Polygon:
+        """Return what it stands on, arcs as chords at most so far off [m]."""
+        return line_area(self.to_shapely(chord), self.thickness, closed=self.closed)
 
 
 class Wall(Section):
@@ -121,7 +144,14 @@ class Wall(Section):
     nu: Annotated[float | None, Number("nu", "Poisson's ratio, by default that of the plate", POISSON)] = None
     stiffness: Annotated[float, STIFFNESS] = 1.0
     at: AtCrossings = ()
-    openings: Annotated[tuple[WallOpening, ...], Table("openings in it, where it is less high", 1000)] = ()
+    openings: Annotated[
+        tuple[WallOpening, ...],
+        Table(
+            "openings in it, where it is less high; without a height they are doors: there it presses on nothing, and "
+            "what acts on it over them goes to the wall on both sides",
+            1000,
+        ),
+    ] = ()
 
     def on(self, plates: Sequence[AnyPlate]) -> Wall:
         """Return the wall with the points or the shape of its axis, itself if it doesn't stand on a plate's edge.
@@ -158,6 +188,29 @@ class Wall(Section):
     def closed(self) -> bool:
         """Return whether the axis ends where it starts."""
         return self.shape is not None or (self.points is not None and self.points[0] == self.points[-1])
+
+    @property
+    def doors(self) -> tuple[WallOpening, ...]:
+        """Return the openings in which the wall doesn't press on the plate, one after the other: without a height."""
+        return tuple(sorted(self.openings, key=lambda door: door.start)) if self.height is None else ()
+
+    @property
+    def pieces(self) -> tuple[WallPiece, ...]:
+        """Return the parts of the wall between its doors, one after the other; of a closed one the last goes on."""
+        edges, length, doors = self.edges, self.length, self.doors
+        if not doors:
+            return (WallPiece(edges, 0.0, length, self.thickness, closed=self.closed),)
+
+        def piece(start: float, end: float) -> WallPiece:
+            ways = [(start, end)] if end <= length else [(start, length), (0.0, end - length)]
+            parts = [part_of_line(edges, *way) for way in ways]
+            line = tuple(edge for points, bulges in parts for edge in line_segments(points, bulges, None))
+            return WallPiece(line, start, end, self.thickness)
+
+        ends = [door.end for door in doors], [door.start for door in doors[1:]]
+        if self.closed:
+            return tuple(map(piece, ends[0], [*ends[1], length + doors[0].start]))
+        return tuple(map(piece, [0.0, *ends[0]], [doors[0].start, *ends[1], length]))
 
     def to_shapely(self, chord: float) -> LineString:
         """Return the axis, arcs as chords at most so far off [m]."""

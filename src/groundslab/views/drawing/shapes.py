@@ -83,8 +83,8 @@ def plan_shapes(model: Model) -> Iterator[Shape]:
             yield closed("OPENINGS", opening.ring(), chord)
     for column in model.columns:
         yield closed("COLUMNS", column.ring(), chord)
-    for wall in model.placed_walls:
-        yield from (Line("WALLS", np.asarray(ring.coords)[:-1], closed=True) for ring in rings(wall.area(chord)))
+    for piece in (piece for wall in model.placed_walls for piece in wall.pieces):
+        yield from (Line("WALLS", np.asarray(ring.coords)[:-1], closed=True) for ring in rings(piece.area(chord)))
     for beam in model.beams:
         yield from (Line("BEAMS", np.asarray(ring.coords)[:-1], closed=True) for ring in rings(beam.area(chord)))
     for axis in drawn_axes(model.axes, model.bounds):

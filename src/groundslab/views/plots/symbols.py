@@ -142,7 +142,7 @@ def draw_loads(
             (mark,) = axes.plot(*shape.place, "v", color=LOAD, markeredgecolor="white", markersize=6.5, zorder=5.5)
             mark.set(linestyle="none", clip_on=False, markeredgewidth=0.5)
             entries["point load"] = mark
-        elif isinstance(shape, LineForce) and not getattr(load, "wall", ""):
+        elif isinstance(shape, LineForce) and not shape.wall:
             (line,) = axes.plot(*shape.flat(chord).T, color=LOAD, linewidth=1.6, clip_on=False, zorder=5)
             line.set(path_effects=white_outline(2.6))
             entries["line load" if any(shape.q) else "line moment"] = line
@@ -188,12 +188,13 @@ def draw_columns(axes: Axes, model: Model, takes_part: Callable[[AnyLoad], bool]
 def draw_walls(axes: Axes, model: Model, takes_part: Callable[[AnyLoad], bool]) -> Entries:
     """Draw the walls, those filled that bring a load."""
     entries: Entries = {}
-    loaded = {getattr(load, "wall", "") for load in model.loads if takes_part(load)}
+    loaded = {shape.wall for load, shape in model.acting if isinstance(shape, LineForce) and takes_part(load)}
     for wall in model.placed_walls:
         brings = wall.name in loaded
         look = {"edgecolor": INK, "facecolor": LOAD if brings else "white", "linewidth": 0.6, "zorder": 4.8}
-        area = wall.area(DRAWN_CHORD * max(model.sides))
-        entries["wall with load" if brings else "wall"] = _draw_area(axes, area, **look)
+        for piece in wall.pieces:
+            area = piece.area(DRAWN_CHORD * max(model.sides))
+            entries["wall with load" if brings else "wall"] = _draw_area(axes, area, **look)
     return entries
 
 

@@ -48,6 +48,7 @@ SECTIONS = {
     "contact": "Contact",
     "columns": "Columns",
     "walls": "Walls",
+    "cores": "Cores",
     "beams": "Beams",
     "building": "Building above",
     "supports": "Supports",

@@ -107,11 +107,14 @@ def _axes(model: Model) -> Iterator[Data]:
 
 
 def _wall(wall: Wall, chord: float) -> Data:
-    """Return the name of a wall, its thickness and its axis."""
+    """Return the name of a wall, its thickness and its axis, and of one with doors its pieces between them."""
     from shapely import get_coordinates
 
     axis = get_coordinates(wall.to_shapely(chord))
-    return {"name": wall.name, "thickness": wall.thickness, "points": _rounded(axis)}
+    about: Data = {"name": wall.name, "thickness": wall.thickness, "points": _rounded(axis)}
+    if wall.doors:
+        about["pieces"] = [_rounded(get_coordinates(piece.to_shapely(chord))) for piece in wall.pieces]
+    return about
 
 
 def _beam(beam: Beam, chord: float) -> Data:
@@ -151,15 +154,23 @@ def _support(support: AnySupport) -> Data:
 
 
 def _load(load: AnyLoad, model: Model, chord: float) -> Data:
-    """Return a load with what it acts on: points, a ring, or nothing where it acts on all of a plate."""
+    """Return a load with what it acts on: points, a ring, or nothing where it acts on all of a plate.
+
+    Of what acts through parts of walls the points are those of the longest one, and all of them are pieces.
+    """
     about: Data = {"name": load.name, "kind": load.kind, "case": load.case}
-    for shape in model.shapes(load):
+    shapes = model.shapes(load)
+    for shape in shapes:
         about |= _place_of(shape, model, chord)
+    on_walls = [shape for shape in shapes if isinstance(shape, LineForce) and shape.wall]
+    if on_walls:
+        longest = max(on_walls, key=lambda line: line.length)
+        about |= {"wall": longest.wall, "points": _rounded(longest.flat(chord))}
+    if len(on_walls) > 1:
+        about["pieces"] = [_rounded(line.flat(chord)) for line in on_walls]
     if getattr(load, "column", ""):
         # the column is drawn
         about.pop("footprint", None)
-    if wall := getattr(load, "wall", ""):
-        about["wall"] = wall
     return about | {"parts": load_parts(load, model.units)}
 
 

@@ -29,6 +29,7 @@ from groundslab.views.tables.reinforcement import reinforcement, support_moments
 from groundslab.views.tables.structure.beams import beam_reinforcement, beam_table
 from groundslab.views.tables.structure.building import building_table, storey_table
 from groundslab.views.tables.structure.columns import column_envelope, column_table
+from groundslab.views.tables.structure.cores import core_load_table, core_table
 from groundslab.views.tables.structure.walls import wall_limit_table, wall_reinforcement, wall_table
 from groundslab.views.tables.summary import acting_cases, combinations, extremes, tilts
 from groundslab.views.tables.supports import joint_table, support_table
@@ -131,6 +132,10 @@ def _makers(combined: Results) -> dict[str, Callable[[], Table]]:
     makers |= {name: partial(errors.with_errors, make, combined) for name, (asked, make) in wanted.items() if asked}
     if any(results.wall_limits for results in combined.values()):
         makers["wall_limits"] = lambda: wall_limit_table(combined)
+    if model.cores:
+        makers["cores"] = lambda: core_table(combined)
+    if any(load.kind == "core" for load in model.loads):
+        makers["core_loads"] = lambda: core_load_table(combined)
     if _knows_storeys(combined):
         makers["storeys"] = lambda: storey_table(combined)
     if model.columns:

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 #: Columns whose cells name an item of the case, and the list that it stands in.
 ITEMS = {
     "column": "columns", "support": "supports", "strip": "output.strips", "line": "output.lines",
-    "point": "output.points", "wall": "walls", "beam": "beams",
+    "point": "output.points", "wall": "walls", "beam": "beams", "core": "cores",
 }  # fmt: skip
 #: Fields of the plate by what tables call them; a layer of bars stands for what it requires.
 FIELDS = {about.label: name for name, about in RANGED_FIELDS.items()} | {

@@ -48,6 +48,15 @@ def test_what_a_beam_meets() -> None:
     assert not any(direct for *_, direct in faces(middle, **on_it))
 
 
+def test_a_beam_through_a_door_meets_no_wall() -> None:
+    """The wall across it has a door from 0.5 to 1.5 m of its 2 m, and the beam runs through the middle."""
+    wall = {"name": "across", "points": [(3.0, -1.0), (3.0, 1.0)], "thickness": 0.2}
+    section = {"kind": "rectangle", "width": 0.4, "height": 0.8}
+    ends = [(0.0, 0.0, False), (8.0, 8.0, False)]
+    assert faces(section, walls=[wall]) == [ends[0], (7.0, 7.0, False), ends[1]]
+    assert faces(section, walls=[{**wall, "openings": [{"start": 0.5, "end": 1.5, "height": 2.1}]}]) == ends
+
+
 def test_a_column_at_an_end_has_its_face_inside() -> None:
     """A column of 0.5 m at the end of a rib above the slab: d counts from its face 0.25 m from the end."""
     above = {"kind": "rib", "width": 0.4, "height": 0.5, "effective_width": 1.0, "side": "above"}

@@ -25,9 +25,9 @@ openpyxl = pytest.importorskip("openpyxl")
 LEFT = {
     "basement": ["case dead: own"],
     "bearing_walls": [
-        "wall outer: one for each piece", "wall outer: height", "wall inner: height", "case G: own", "combine",
-        "load 3: one for each piece",
-        "load earth pressure: one for each piece", "load 8: one for each piece",
+        "wall outer: one for each piece", "wall outer: height", "wall inner: one for each piece", "wall inner: height",
+        "case G: own", "combine", "load 3: one for each piece", "load earth pressure: one for each piece",
+        "load 5: without the walls", "load 8: one for each piece", "load 9: without the walls",
     ],
     "boreholes": ["case loads: own", "loads: cases"],
     "combined_footing": ["case G: own", "combine"],
@@ -109,6 +109,25 @@ def test_an_example_comes_back(name: str, tmp_path: Path) -> None:
         same_loads(model, read)
 
 
+def test_a_wall_with_a_door_is_written_by_its_pieces(tmp_path: Path) -> None:
+    """Two walls, and what acts through them as loads along lines, with its force and moments, which come back."""
+    model = gs.Model(
+        plate={"name": "S1", "length_x": 8.0, "length_y": 6.0, "thickness": 0.4, "E": 33e9, "nu": 0.2},
+        ground={"kind": "pasternak", "k0": 20e6, "k1": 0.0},
+        walls=[{"name": "W", "thickness": 0.25, "points": [(-3, 0), (3, 0), (3, 2)],
+                "openings": [{"start": 1.0, "end": 2.0, "height": 2.1}]}],
+        cases=[{"name": "G"}],
+        loads=[{"kind": "line", "q": 90e3, "q_end": 20e3, "wall": "W", "case": "G"},
+               {"kind": "line moment", "m": 3e3, "wall": "W", "case": "G"}],
+    )  # fmt: skip
+    left = write_model(model, tmp_path / "first.xlsx")
+    assert "load 1: written as 4 loads along lines, without the walls through which they act" in left
+    read = gs.read_saf(tmp_path / "first.xlsx", "S1").model
+    assert [wall.edges for wall in read.walls] == [(edge,) for wall in model.walls for piece in wall.pieces
+                                                   for edge in piece.edges]  # fmt: skip
+    same_loads(model, read)
+
+
 def same_slab(model: gs.Model, read: gs.Model) -> None:
     """Compare plate, structure, ground and supports."""
     one, other = model.plate, read.plate
@@ -120,7 +139,7 @@ def same_slab(model: gs.Model, read: gs.Model) -> None:
     # axes have no place in the format: columns are where they are, but attached to none
     assert read.columns == tuple(column.replace(at="") for column in model.columns)
     assert [wall.thickness for wall in read.walls] == [
-        wall.thickness for wall in model.placed_walls for _ in wall.edges
+        wall.thickness for wall in model.placed_walls for piece in wall.pieces for _ in piece.edges
     ]
     assert [beam.section for beam in read.beams] == [beam.section for beam in model.beams]
     assert [beam.edges for beam in read.beams] == [beam.edges for beam in model.beams]

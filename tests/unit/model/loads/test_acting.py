@@ -37,16 +37,19 @@ LOADS: dict[str, tuple[dict[str, Any], float, tuple[float, float], str]] = {
     "temperature": ({"difference": 10.0}, 0.0, (0, 0), "10 K"),
     "shrinkage": ({"top": 3e-4}, 0.0, (0, 0), "0.0003"),
     "settlement": ({"support": "S", "w": 5e-3}, 0.0, (0, 0), "5 mm"),
+    "core": ({"core": "K", "P": 5e3, "M_x": 1e3}, 5e3, (2.25e3, 2.5e3), "5 kN, Mx 1 kNm"),
 }
 
 
 def model(*loads: dict[str, Any]) -> Model:
-    """Return a slab on springs and one support in its middle, as soft as a spring of its own."""
+    """Return a slab on springs, with a support in its middle, as soft as a spring of its own, and a core of a wall."""
     return Model(
         plate={"length_x": 6.0, "length_y": 4.0, "thickness": 0.25, "E": 30e9, "nu": 0.2},
         ground={"kind": "winkler", "k": 20e6},
         contact={"tensionless": False},
         supports=[{"kind": "point", "name": "S", "x": 0.0, "y": 0.0, "stiffness": 1e6}],
+        walls=[{"name": "W", "thickness": 0.2, **LINE}],
+        cores=[{"name": "K", "walls": ["W"]}],
         loads=loads,
         mesh={"size": 0.5},
     )
@@ -95,7 +98,7 @@ def test_meshes_see_every_load(kind: str) -> None:
     slab = model({"kind": kind, **load})
     edges = [edge for _, shape in slab.acting for edge in borders_of(shape)]
     places = singular_places(slab)
-    has_line = kind in {"line", "line moment"}
+    has_line = kind in {"line", "line moment", "core"}
     assert len(edges) == {"patch": 4, "area": 4}.get(kind, int(has_line))
     assert places.get("ends and bends of lines", []) == (LINE["points"] if has_line else [])
     assert places.get("forces without a footprint", []) == ([(1.0, 0.5)] if kind == "point" else [])

@@ -38,6 +38,7 @@ export interface Column extends Place {
 }
 export interface Wall extends Named {
   points: Point[];
+  pieces?: Point[][]; // between its doors
   thickness: number; // [m]
 }
 
@@ -55,6 +56,7 @@ export interface Load extends Named {
   kind: string; // point, line, patch, area, uniform, self weight, ...
   case: string;
   points?: Point[];
+  pieces?: Point[][]; // parts of walls through which it acts, the points are those of one of them
   ring?: Ring;
   holes?: Ring[]; // of a loaded area
   footprint?: Ring; // of a point load that has one

@@ -70,8 +70,8 @@ export function symbolsOf(plan: Plan, layers: Layers, factors: ReadonlyMap<strin
   return layers.labels ? symbols : symbols.map((symbol) => ({ ...symbol, texts: [] }));
 }
 
-function wallSymbol({ name, points, thickness }: Wall): PlanSymbol {
-  return { kind: "wall", shape: "line", points, texts: [name], width: thickness };
+function wallSymbol({ name, points, pieces, thickness }: Wall): PlanSymbol {
+  return { kind: "wall", shape: "line", points, pieces, texts: [name], width: thickness };
 }
 
 /** Return the symbol of an axis, its name at the last of its points. */
@@ -88,12 +88,12 @@ function frameSymbol({ points }: FrameLine): PlanSymbol {
 }
 
 /** Return the symbol of a load, none if it acts on the entire slab. */
-function loadSymbol({ everywhere, points, ring, holes, footprint }: Load, text: string): PlanSymbol[] {
+function loadSymbol({ everywhere, points, pieces, ring, holes, footprint }: Load, text: string): PlanSymbol[] {
   const texts = text ? [plainSymbols(text)] : [];
   const load = { kind: "load", texts } as const;
   if (everywhere) return [];
   if (ring) return [{ ...load, shape: "area", points: ring, holes: holes ?? [] }];
   if (!points?.length) return [];
-  if (points.length > 1) return [{ ...load, shape: "line", points }];
+  if (points.length > 1) return [{ ...load, shape: "line", points, pieces }];
   return [{ ...load, shape: "point", points, foot: footprint, hidden: !text, upward: /^(P|w_s) = \u2212/.test(text) }];
 }

@@ -40,6 +40,7 @@ export interface PlanSymbol {
   kind: Kind;
   shape: "point" | "line" | "area";
   points: Ring; // [m]
+  pieces?: readonly Ring[] | undefined; // what there is of a line, if not all along the points
   texts: readonly string[]; // beside it, one below the other
   foot?: Ring | null | undefined; // a column's cross-section, a load's footprint
   holes?: readonly Ring[]; // parts of an area that are not loaded
@@ -82,7 +83,7 @@ export function drawSymbol(camera: Camera, symbol: PlanSymbol): SVGElement[] {
       return [drawArea(pixels), drawText(leftTop(pixels), text, [5, 13])];
     case "wall":
     case "beam":
-      return drawBand(pixels, (symbol.width ?? 0) * camera.scale, text);
+      return drawBand(symbol, toPixels, camera.scale);
     case "column":
       return drawColumn(at, toPixels(symbol.foot ?? []), text);
     case "support":
@@ -172,9 +173,16 @@ function drawColumn(at: Readonly<Point>, foot: Ring, name: string): SVGElement[]
   return [drawArea(size < 3.5 ? least : foot), drawText(at, name, [Math.max(size, 4) + 4, Math.max(size, 4) + 9])];
 }
 
-/** Draw a wall or a beam as wide as it is [px], at least as it can be seen. */
-function drawBand(axis: Ring, width: number, name: string): SVGElement[] {
-  return [drawArea(bandAround(axis, Math.max(width, 3) / 2)), drawText(middleOf(axis), name, [6, -8])];
+/** Draw the pieces of a wall or a beam as wide as they are, at least as can be seen; `scale` in px/m. */
+function drawBand(symbol: PlanSymbol, toPixels: (points: Ring) => Point[], scale: number): SVGElement[] {
+  const half = Math.max((symbol.width ?? 0) * scale, 3) / 2;
+  const bands = piecesIn(symbol).map((piece) => drawArea(bandAround(toPixels(piece), half)));
+  return [...bands, drawText(middleOf(toPixels(symbol.points)), symbol.texts[0] ?? "", [6, -8])];
+}
+
+/** Return what there is of a line. */
+function piecesIn({ pieces, points }: PlanSymbol): readonly Ring[] {
+  return pieces ?? [points];
 }
 
 /** Return the outline of a band around a line, its corners mitered; of a closed line its last corner is open. */
@@ -237,17 +245,18 @@ function drawLoad(symbol: PlanSymbol, pixels: Ring, toPixels: (points: Ring) => 
     const holes = (symbol.holes ?? []).map((hole) => drawPath(toPixels(hole), true, "hole"));
     return [drawArea(pixels), ...holes, ...drawTexts(leftTop(pixels), 5, 13, false)];
   }
+  const lines = piecesIn(symbol).map(toPixels);
+  return [...lines.flatMap(drawLineLoad), ...drawTexts(pixels[0]!, 4, -15, true)];
+}
+
+/** Draw a line with arrows that point to it. */
+function drawLineLoad(pixels: Ring): SVGElement[] {
   const arrows = placesAlong(pixels, 16).flatMap(({ at }) => [
     drawPath(offset(at, [0, 0], [0, -11]), false, "fine"),
     drawPath(offset(at, [-2.5, -4.5], [0, 0], [2.5, -4.5]), false, "fine"),
   ]);
   const tails = pixels.flatMap((at) => offset(at, [0, -11]));
-  return [
-    drawPath(pixels, false, "wall"),
-    drawPath(tails, false, "fine"),
-    ...arrows,
-    ...drawTexts(pixels[0]!, 4, -15, true),
-  ];
+  return [drawPath(pixels, false, "wall"), drawPath(tails, false, "fine"), ...arrows];
 }
 
 /** Draw where a pattern stands, or the path that it moves along, with an arrow at its end. */

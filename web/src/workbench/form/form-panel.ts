@@ -15,7 +15,7 @@ import { doesNothingUnlessThere, nodeWidget } from "./section";
 /** The sections: what there is, what acts, what is output, how it is computed. */
 const GROUPS: readonly { title: string; keys: readonly string[] }[] = [
   { title: "", keys: ["title"] },
-  { title: "Slab", keys: ["plate", "axes", "columns", "walls", "beams", "building", "supports"] },
+  { title: "Slab", keys: ["plate", "axes", "columns", "walls", "cores", "beams", "building", "supports"] },
   { title: "Ground", keys: ["ground", "soil_zones", "boreholes", "beyond", "contact"] },
   { title: "Loads", keys: ["cases", "loads", "patterns", "moves", "combinations", "combine"] },
   { title: "Results", keys: ["output", "reinforcement", "floor"] },

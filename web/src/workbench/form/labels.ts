@@ -50,7 +50,7 @@ export function summaryOf(table: Table, part: Part | null): string {
   if (typeof table.name === "string" && table.name) pieces.push(table.name);
   if (typeof table.kind === "string") pieces.push(table.kind);
   for (const field of part?.fields ?? []) {
-    if (pieces.length >= 5 || ["name", "kind", "case", "column", "wall"].includes(field.name)) continue;
+    if (pieces.length >= 5 || ["name", "kind", "case", "column", "wall", "core"].includes(field.name)) continue;
     const value = table[field.name];
     const simple = ["quantity", "number", "integer", "choice", "tuple"].includes(field.node.is);
     if (value !== undefined && simple)
@@ -59,7 +59,7 @@ export function summaryOf(table: Table, part: Part | null): string {
   if (isTable(table.shape)) pieces.push(String(table.shape.kind ?? ""));
   const factors = isTable(table.factors) ? Object.entries(table.factors) : [];
   pieces.push(factors.map(([name, factor]) => `${shortValue(factor)} ${name}`).join(" + "));
-  for (const host of [table.column, table.wall])
+  for (const host of [table.column, table.wall, table.core])
     if (typeof host === "string" && host) pieces.push(["on", host].join(" "));
   if (typeof table.case === "string" && table.case) pieces.push(`(${table.case})`);
   return pieces.filter(Boolean).join("  ·  ");

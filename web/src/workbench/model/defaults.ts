@@ -1,5 +1,6 @@
 // Values of new items, so that they can be solved at once and changed later.
 
+import { namesIn } from "./names";
 import { isTable, listAt, type Table, valueAt } from "./paths";
 import { formatLength, parseLength } from "./quantities";
 
@@ -26,6 +27,7 @@ const DEFAULTS: Record<string, Table> = {
   LineLoad: { kind: "line", q: "20 kN/m" },
   LineMoment: { kind: "line moment", m: "20 kNm/m" },
   PointLoad: { kind: "point", P: "100 kN" },
+  CoreLoad: { kind: "core", P: "1 MN" },
   SelfWeight: { kind: "self weight", unit_weight: "25 kN/m^3" },
   TemperatureLoad: { kind: "temperature", difference: "10 K" },
   ShrinkageLoad: { kind: "shrinkage", top: 0.0003 },
@@ -60,14 +62,14 @@ export function defaultsFor(definition: string, data: Table): Table {
   }
   if (definition === "BuildingBeams") return { through: columnsOf(data), section: { ...FRAME_BEAM } };
   if (definition === "BuildingColumns") return { names: columnsOf(data).slice(0, 1), section: { ...FRAME_BEAM } };
+  if (definition === "Core") return { walls: namesIn(listAt(data, ["walls"])) };
   if (definition === "Borehole") return { layers: layersOf(data) };
   return structuredClone(DEFAULTS[definition] ?? {});
 }
 
 /** The names of all columns. */
 function columnsOf(data: Table): string[] {
-  const names = listAt(data, ["columns"]).map((each) => (isTable(each) ? each.name : undefined));
-  return names.filter((name): name is string => typeof name === "string");
+  return namesIn(listAt(data, ["columns"]));
 }
 
 /** A thickness half as much again as the plate's, in round figures. */

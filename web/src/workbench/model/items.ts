@@ -2,6 +2,7 @@
 
 import type { Kind } from "../../viewer/plan/symbols";
 import { counted, say, together, verbatim } from "../../viewer/shared/language";
+import { piecesOf } from "./doors";
 import {
   boundsOf,
   type Geometry,
@@ -30,7 +31,9 @@ export interface Item {
   foot: Ring | null;
   /** The footprints of the forces of a pattern that stands. */
   feet?: readonly Ring[];
-  /** Whether it can be moved and reshaped; a load on a column or a wall goes with that. */
+  /** What there is of a wall between its doors, and of a load on it. */
+  pieces?: readonly Ring[] | undefined;
+  /** Whether it can be moved and reshaped; a load on a column, a wall or a core goes with that. */
   movable: boolean;
 }
 
@@ -108,8 +111,8 @@ function itemsFrom(source: Source, data: Table, plan: Table | null): Item[] {
     if (!isTable(table)) return [];
     const path = [...source.list, n];
     const title = titleOf(source.word ?? source.kind, table, n);
-    const host = source.kind === "load" ? (columnOf(data, table, path) ?? wallOf(data, table, path, plan)) : null;
-    if (host) return [{ kind: source.kind, path, title, table, geometry: host, foot: null, movable: false }];
+    const host = source.kind === "load" ? hostOf(data, table, path, plan) : null;
+    if (host) return [{ ...host, kind: source.kind, path, title, table, foot: null, movable: false }];
     if (source.kind === "load" && UNPLACED.has(String(table.kind))) return [];
     if (source.kind === "joint") {
       const joint = readJoint(data, path);
@@ -118,10 +121,12 @@ function itemsFrom(source: Source, data: Table, plan: Table | null): Item[] {
     const at = source.below ? [...path, source.below] : path;
     const geometry = readOwn(data, at, table, path) ?? fromPlan(plan, path);
     const feet = geometry && source.kind === "move" ? { feet: patternFeet(data, table, geometry) } : {};
+    const pieces = geometry && source.kind === "wall" ? piecesOf(table, geometry) : undefined;
     return geometry
       ? [
           {
             ...feet,
+            pieces,
             kind: source.kind,
             path,
             title,
@@ -169,6 +174,21 @@ export function titleOfAll(data: Table, paths: readonly Path[]): string {
   return countItems(items);
 }
 
+/** Where a load acts that names what stands there: where that is, and its parts that there are. */
+interface Host {
+  geometry: Geometry;
+  pieces?: readonly Ring[] | undefined;
+}
+
+/** Return where the column, the wall or the core is that a load names, null if it names none that is known. */
+function hostOf(data: Table, load: Table, at: Path, plan: Table | null): Host | null {
+  const column = columnOf(data, load, at);
+  if (column) return { geometry: column };
+  if (load.kind !== "core") return wallOf(data, load, at, plan);
+  const geometry = fromPlan(plan, at);
+  return geometry && { geometry, pieces: piecesFromPlan(plan, at) };
+}
+
 /** Return where the column is that a load names, null if it names none that is known. */
 function columnOf(data: Table, load: Table, at: Path): Geometry | null {
   if (typeof load.column !== "string" || !load.column) return null;
@@ -178,13 +198,13 @@ function columnOf(data: Table, load: Table, at: Path): Geometry | null {
 }
 
 /** Return the axis of the wall that a load names, null if it names none that is known. */
-function wallOf(data: Table, load: Table, at: Path, plan: Table | null): Geometry | null {
+function wallOf(data: Table, load: Table, at: Path, plan: Table | null): Host | null {
   if (typeof load.wall !== "string" || !load.wall) return null;
   const n = listAt(data, ["walls"]).findIndex((each) => isTable(each) && each.name === load.wall);
   if (n < 0) return null;
   const path: Path = ["walls", n];
   const geometry = readOwn(data, path, tableAt(data, path), path) ?? fromPlan(plan, path);
-  return geometry && { ...geometry, at };
+  return geometry && { geometry: { ...geometry, at }, pieces: piecesOf(tableAt(data, path), geometry) };
 }
 
 /** The outline of a column's cross-section or a load's footprint, null if there is none. */
@@ -203,24 +223,38 @@ export function footprintOf(table: Table, geometry: Geometry): Ring | null {
 
 /** Return a geometry from the server's plan, which can be moved but not reshaped. */
 function fromPlan(plan: Table | null, path: Path): Geometry | null {
-  if (!plan) return null;
+  const found = inPlan(plan, path);
+  if (!found) return null;
+  if (typeof found.x === "number" && typeof found.y === "number")
+    return { type: "point", at: path, x: found.x, y: found.y };
+  const line = found.points ?? (found.start && found.end ? [found.start, found.end] : undefined);
+  return fixedGeometry(found.ring ?? line, path, found.ring !== undefined);
+}
+
+/** Return the pieces of an item in the server's plan, undefined if it has none. */
+function piecesFromPlan(plan: Table | null, path: Path): Ring[] | undefined {
+  const pieces = inPlan(plan, path)?.pieces;
+  return Array.isArray(pieces) ? pieces.map(readPoints) : undefined;
+}
+
+/** Return what the server's plan says of an item, null if it does not know it. */
+function inPlan(plan: Table | null, path: Path): Table | null {
   const words = formatPath(path);
-  for (const list of Object.values(plan)) {
+  for (const list of Object.values(plan ?? {})) {
     const found = Array.isArray(list) ? list.find((each) => isTable(each) && each.path === words) : undefined;
-    if (!isTable(found)) continue;
-    if (typeof found.x === "number" && typeof found.y === "number")
-      return { type: "point", at: path, x: found.x, y: found.y };
-    const line = found.points ?? (found.start && found.end ? [found.start, found.end] : undefined);
-    return fixedGeometry(found.ring ?? line, path, found.ring !== undefined);
+    if (isTable(found)) return found;
   }
   return null;
 }
 
-function fixedGeometry(value: Json | undefined, at: Path, closed = true): Geometry | null {
-  if (!Array.isArray(value)) return null;
-  const points = value.flatMap((each): Point[] =>
+function readPoints(value: Json | undefined): Point[] {
+  return (Array.isArray(value) ? value : []).flatMap((each): Point[] =>
     Array.isArray(each) && typeof each[0] === "number" && typeof each[1] === "number" ? [[each[0], each[1]]] : [],
   );
+}
+
+function fixedGeometry(value: Json | undefined, at: Path, closed = true): Geometry | null {
+  const points = readPoints(value);
   return points.length > 0 ? { type: "fixed", at, points, closed } : null;
 }
 

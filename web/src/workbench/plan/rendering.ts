@@ -96,12 +96,13 @@ function symbolOf(item: Item, loads: readonly Item[], highlights: Highlights): P
   const { kind, table, geometry, foot } = item;
   const ring = ringOf(geometry);
   const closed = isClosed(geometry);
-  const isLine = kind === "wall" || kind === "beam" || (kind === "load" && /^line/.test(String(table.kind)));
+  const isLine = kind === "wall" || kind === "beam" || (kind === "load" && /^(line|core)/.test(String(table.kind)));
   const texts = kind === "load" ? loadTexts(item, loads, highlights) : textsOf(item);
   return {
     kind,
     shape: geometry.type === "point" ? "point" : closed && !isLine ? "area" : "line",
     points: closed && isLine ? [...ring, ...ring.slice(0, 1)] : ring,
+    pieces: item.pieces,
     texts: texts ?? [],
     foot,
     holes: kind === "load" ? holesOf(item) : kind === "move" ? (item.feet ?? []) : [],

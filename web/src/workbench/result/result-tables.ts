@@ -23,7 +23,13 @@ const GROUPS: readonly { name: string; label: string; tables: Record<string, str
   {
     name: "walls",
     label: "Walls",
-    tables: { walls: "all combinations", wall_punching: "punching at ends", wall_reinforcement: "reinforcement" },
+    tables: {
+      walls: "all combinations",
+      core_loads: "loads of cores",
+      cores: "cores",
+      wall_punching: "punching at ends",
+      wall_reinforcement: "reinforcement",
+    },
   },
   { name: "beams", label: "Beams", tables: { beams: "all combinations", beam_reinforcement: "reinforcement" } },
   { name: "building", label: "Building", tables: { building: "all combinations", storeys: "storeys" } },

@@ -14,6 +14,7 @@ from groundslab.exchange.saf.writing.sheets import Sheets
 from groundslab.exchange.saf.writing.structure import middle, plate_at
 from groundslab.geometry.areas import equal_area_polygon
 from groundslab.geometry.plan import Ring, Segment
+from groundslab.model.loads.acting import LineForce
 from groundslab.model.loads.lines import LineLoad, LineMoment
 from groundslab.model.loads.load_types import (
     AreaLoad,
@@ -50,7 +51,7 @@ def write_loads(sheets: Sheets, model: Model, placed: Placed) -> None:
         common = {"loadcase": load.case or ALL_LOADS}
         if isinstance(load, PointLoad):
             _write_point(sheets, load, common, placed, what)
-        elif isinstance(load, LineLoad | LineMoment):
+        elif isinstance(load, LineLoad | LineMoment) and not (load.wall and len(model.shapes(load)) > 1):
             _write_line(sheets, load, common, placed, what)
         elif isinstance(load, UniformLoad):
             _write_uniform(sheets, load, common, placed, what)
@@ -74,6 +75,8 @@ def write_loads(sheets: Sheets, model: Model, placed: Placed) -> None:
         elif isinstance(load, SelfWeight):
             if not by_material(model, load):
                 _write_weight(sheets, model, load, common, placed)
+        elif lines := [shape for shape in model.shapes(load) if isinstance(shape, LineForce)]:
+            _write_lines(sheets, load.name, lines, common, placed, what)
         else:
             sheets.leave(what, f"{load.kind} is not written")
     for case in model.cases:
@@ -220,6 +223,24 @@ def _write_line(
             _write_moment(sheets, load.name, values, on or _inner(sheets, group, placed), common)
         else:
             _write_force(sheets, load.name, values, on or _places(group, closed=False), common)
+
+
+def _write_lines(
+    sheets: Sheets, name: str, lines: Sequence[LineForce], common: Mapping[str, Any], placed: Placed, what: str
+) -> None:
+    """Write what acts on parts of walls as loads along lines, one for each straight piece or arc."""
+    count = sum(len(line.edges) for line in lines)
+    sheets.leave(what, f"written as {count} loads along lines, without the walls through which they act")
+    for line in lines:
+        low = 0.0
+        for edge in line.edges:
+            ways = np.array([low, low + edge.length]) / line.length
+            low += edge.length
+            force, couple = (tuple((ends[0] + (ends[1] - ends[0]) * ways).tolist()) for ends in (line.q, line.m))
+            if any(line.q):
+                _write_force(sheets, name, force, _places([edge], closed=False), common)
+            if any(line.m):
+                _write_moment(sheets, name, couple, _inner(sheets, [edge], placed), common)
 
 
 def _write_moment(

@@ -171,7 +171,8 @@ def write_walls(sheets: Sheets, walls: Sequence[Wall], material: str) -> dict[st
     written: dict[str, list[tuple[str, Segment]]] = {}
     for wall in walls:
         height = wall.height or HEIGHT
-        for edge in wall.edges:
+        edges = [edge for piece in wall.pieces for edge in piece.edges]
+        for edge in edges:
             upper = [sheets.node(place, height) for place in _places(edge)][::-1]
             nodes = "; ".join([*(sheets.node(place) for place in _places(edge)), *upper])
             kind = "Line" if edge.straight else "Circular Arc"
@@ -184,8 +185,8 @@ def write_walls(sheets: Sheets, walls: Sequence[Wall], material: str) -> dict[st
                 shape="Flat" if edge.straight else "Curved", behaviorinanalysis="Isotropic",
             )  # fmt: skip
             written.setdefault(wall.name, []).append((member, edge))
-        if len(wall.edges) > 1:
-            sheets.leave(f"wall {wall.name}", f"written as {len(wall.edges)} walls, one for each piece")
+        if len(edges) > 1:
+            sheets.leave(f"wall {wall.name}", f"written as {len(edges)} walls, one for each piece")
         if wall.height is None:
             sheets.leave(f"wall {wall.name}", f"has no height; written {HEIGHT:g} m high")
         elif wall.openings or wall.stiffness != 1 or wall.E is not None:

@@ -226,7 +226,7 @@ def _loads(model: Model, takes_part: Callable[[AnyLoad], bool], h: float) -> Ite
             if shape.P:
                 (force,), unit = together([shape.P], "force", model.units)
                 yield Text("LOADS_POINT", (x + 0.8 * h, y - 0.5 * h), h, f"{force} {unit}")
-        elif isinstance(shape, LineForce) and not getattr(load, "wall", ""):
+        elif isinstance(shape, LineForce) and not shape.wall:
             yield Line("LOADS_LINE", shape.flat(chord))
         elif isinstance(shape, AreaPressure):
             for part in shapely.get_parts(shape.to_shapely()):

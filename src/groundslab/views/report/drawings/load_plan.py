@@ -201,6 +201,15 @@ def _values(loads: Loads) -> dict[tuple[float, float], list[str]]:
     texts: dict[tuple[float, float], list[str]] = {}
     for load, about in loads:
         if stands_in_plan(about):
-            place = upper_left(about["ring"]) if "ring" in about else middle(about["points"])
-            texts.setdefault(place, []).append(load_text(load))
+            texts.setdefault(_place_of(load, about), []).append(load_text(load))
     return texts
+
+
+def _place_of(load: AnyLoad, about: dict[str, Any]) -> tuple[float, float]:
+    """Return the place at which the value of a load is written: of a core amid its walls."""
+    if "ring" in about:
+        return upper_left(about["ring"])
+    if load.kind == "core" and "pieces" in about:
+        x, y = np.mean([middle(piece) for piece in about["pieces"]], axis=0)
+        return float(x), float(y)
+    return middle(about["points"])

@@ -82,5 +82,5 @@ def _on_rigid_base(model: Model, name: str, results: CombinationResult) -> float
     if any(column.name == name for column in model.columns):
         return float(sum(factors.get(case, 0.0) * sums[0] for case, sums in by_column(model, name).items()))
     wall = next(wall for wall in model.placed_walls if wall.name == name)
-    force = loads_on_wall(model, wall).force
-    return float(sum(factors.get(case, 0.0) * wall.length * ends.mean() for case, ends in force.items()))
+    loads = loads_on_wall(model, wall)
+    return float(sum(factors.get(case, 0.0) * loads.sum_of(ends) for case, ends in loads.force.items()))

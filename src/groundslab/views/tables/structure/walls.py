@@ -20,9 +20,9 @@ _HEADS = (
     ("deflection", "mm"), ("deflection over length", "mm/m"),
 )  # fmt: skip
 _NOTES = (
-    "The load is the sum of the line loads that name the wall, with the factors of their cases, and what a building "
-    "above adds. The moment per length "
-    "is that of the line moments that name it, at the end where it is largest.",
+    "The load is the sum of what acts through the wall, with the factors of the cases: line loads that name it, its "
+    "part of the loads of its core, and what a building above adds. The moment per length is that of the line moments "
+    "that name it, where it is largest. Beside doors the load includes what their lintels bring.",
     "The deflection is the largest distance of the settlement along the wall from the straight line between the "
     "settlements of its ends, positive where the wall sags; a closed wall has none.",
 )
@@ -111,8 +111,8 @@ def wall_table(combined: Results) -> Table:
             bent: list[Cell] = [None, None]
             if not wall.closed:
                 bent = [line.deflection * 1e3, line.deflection / wall.length * 1e3]
-            most = max(couple, key=abs)
-            about: list[Cell] = [results.combination, wall.name, wall.length, wall.length * force.mean() / 1e3]
+            most = max(couple.ravel(), key=abs)
+            about: list[Cell] = [results.combination, wall.name, wall.length, loads.sum_of(force) / 1e3]
             ends: list[Cell] = [w[0], w[-1]] if not wall.closed else [None, None]
             rows.append([*about, force.min() / 1e3, force.max() / 1e3, most / 1e3, *ends, w.min(), w.max(), *bent])
     return table_of("walls", "Walls", _HEADS, rows, _NOTES)

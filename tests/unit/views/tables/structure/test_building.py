@@ -114,7 +114,7 @@ def test_moments_at_the_foot_of_a_wall_are_loads_along_it(results: gs.Results) -
     one = results["ULS"]
     base = one.bases[4]
     (wall,) = one.model.placed_walls
-    force, couple = loads_on_wall(one.model, wall).in_combination(one)
+    (force,), (couple,) = loads_on_wall(one.model, wall).in_combination(one)
     L = wall.length
     assert force.mean() * L == pytest.approx(1350e3 + base.force[0])
     assert (force[1] - force[0]) / 2 * L**2 / 6 == pytest.approx(base.moment_x[0])

@@ -88,5 +88,5 @@ def test_only_loads_that_name_the_wall_count() -> None:
     """By load case, at both ends."""
     m = model()
     loads = loads_on_wall(m, m.walls[0])
-    assert {case: tuple(ends) for case, ends in loads.force.items()} == {"G": (Q, 2 * Q), "W": (-Q / 4, -Q / 4)}
-    assert tuple(loads.couple["W"]) == (3e3, 3e3)
+    assert {case: tuple(*ends) for case, ends in loads.force.items()} == {"G": (Q, 2 * Q), "W": (-Q / 4, -Q / 4)}
+    assert tuple(*loads.couple["W"]) == (3e3, 3e3)

@@ -160,6 +160,7 @@ export function whyNotCopied(tables: readonly ListedTable[]): string {
   for (const [key, hosts] of [
     ["column", "columns"],
     ["wall", "walls"],
+    ["core", "cores"],
   ] as const) {
     const chosen = new Set(namesIn(tables.filter(({ list }) => list[0] === hosts).map(({ table }) => table)));
     const lonely = tables.find(({ table }) => typeof table[key] === "string" && table[key] && !chosen.has(table[key]));

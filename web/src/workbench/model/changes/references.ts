@@ -10,6 +10,7 @@ import { isTable, type Json, listAt, type Path, samePath, type Table } from "../
 const REFERENCES: readonly { names: string; list: string; key: string }[] = [
   { names: "columns", list: "loads", key: "column" },
   { names: "walls", list: "loads", key: "wall" },
+  { names: "cores", list: "loads", key: "core" },
   { names: "supports", list: "loads", key: "support" },
   { names: "cases", list: "loads", key: "case" },
   { names: "cases", list: "moves", key: "case" },
@@ -40,6 +41,10 @@ export function renameReferences(data: Table, path: Path, to: string): Edit[] {
   const edits = REFERENCES.filter((each) => each.names === path[0]).flatMap((caller) =>
     referencesTo(data, caller, from).map((n): Edit => ({ op: "set", path: [caller.list, n, caller.key], value: to })),
   );
+  if (path[0] === "walls") {
+    const renamed = (place: Path): Edit => ({ op: "set", path: place, value: to });
+    edits.push(...placesInCores(data, from).map(renamed));
+  }
   if (path[0] === "cases") {
     listAt(data, ["reactions", "cases"]).forEach((each, n) => {
       if (isTable(each) && each.case === from)
@@ -61,12 +66,22 @@ function referencesTo(data: Table, caller: { list: string; key: string }, name: 
   );
 }
 
+/** Return where cores name a wall. */
+function placesInCores(data: Table, wall: string): Path[] {
+  return listAt(data, ["cores"]).flatMap((core, n) =>
+    listAt(isTable(core) ? core : {}, ["walls"]).flatMap((name, k): Path[] =>
+      name === wall ? [["cores", n, "walls", k]] : [],
+    ),
+  );
+}
+
 /** Return the change that removes items and the loads on them. */
 export function removeItems(data: Table, paths: readonly Path[]): Change {
   const loads = loadsUpon(data, paths).filter((n) => !paths.some((path) => samePath(path, ["loads", n])));
   const joints = jointsUpon(data, paths).filter((n) => !paths.some((path) => samePath(path, ["joints", n])));
   const places = [...loads.map((n): Path => ["loads", n]), ...joints.map((n): Path => ["joints", n])];
-  const removed: Path[] = [...paths, ...places];
+  const walls = listAt(data, ["walls"]).filter((_, n) => paths.some((path) => samePath(path, ["walls", n])));
+  const removed: Path[] = [...paths, ...places, ...namesIn(walls).flatMap((name) => placesInCores(data, name))];
   // from the last on, so that the positions of the others stay
   const edits = removed.toSorted(byPositionBackwards).map((path): Edit => ({ op: "remove", path }));
   const their = paths.length === 1 ? "its" : "their";

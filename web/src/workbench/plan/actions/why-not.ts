@@ -27,9 +27,12 @@ export function whyFixed(item: Item): string {
     return "A rectangle defined by its side lengths is centered on the origin. Drag its edges, or convert it to a polygon to move it.";
   if (item.kind === "joint") return "It is where its plates meet and moves with them.";
   if (item.kind === "load") {
-    const host = item.table.wall
-      ? say("wall {name}", { name: verbatim(String(item.table.wall)) })
-      : say("column {name}", { name: verbatim(String(item.table.column)) });
+    const { wall, core, column } = item.table;
+    const [host] = [
+      ...(wall ? [say("wall {name}", { name: verbatim(String(wall)) })] : []),
+      ...(core ? [say("core {name}", { name: verbatim(String(core)) })] : []),
+      say("column {name}", { name: verbatim(String(column)) }),
+    ];
     return say("It is attached to {host} and moves with it.", { host });
   }
   if (item.kind === "wall") return "It stands along the slab's edge and moves with it.";

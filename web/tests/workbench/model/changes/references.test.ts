@@ -3,7 +3,7 @@
 import { beforeEach, describe, expect, it, vi } from "vitest";
 import { applyOptimistic } from "../../../../src/workbench/model/changes/optimistic-edits";
 import { removeItem, renameReferences } from "../../../../src/workbench/model/changes/references";
-import { type Table, valueAt } from "../../../../src/workbench/model/paths";
+import { type Path, type Table, valueAt } from "../../../../src/workbench/model/paths";
 import { Page } from "../../form-page";
 
 beforeEach(() => void vi.useFakeTimers());
@@ -52,6 +52,29 @@ describe("names that others call", () => {
       ["loads", 1],
       ["loads", 0],
       ["walls", 0],
+    ]);
+  });
+
+  it("are those of walls in cores, and of cores, which go with their loads", () => {
+    const cored: Table = {
+      walls: [{ name: "W1" }, { name: "W2" }],
+      cores: [{ name: "K", walls: ["W1", "W2"] }],
+      loads: [{ kind: "core", core: "K", P: "1 MN" }],
+    };
+    expect(renameReferences(cored, ["walls", 1, "name"], "stairs")).toEqual([
+      { op: "set", path: ["cores", 0, "walls", 1], value: "stairs" },
+    ]);
+    expect(renameReferences(cored, ["cores", 0, "name"], "lift")).toEqual([
+      { op: "set", path: ["loads", 0, "core"], value: "lift" },
+    ]);
+    const pathsOf = (path: Path) => removeItem(cored, path).edits.map((edit) => ("path" in edit ? edit.path : []));
+    expect(pathsOf(["walls", 0])).toEqual([
+      ["cores", 0, "walls", 0],
+      ["walls", 0],
+    ]);
+    expect(pathsOf(["cores", 0])).toEqual([
+      ["loads", 0],
+      ["cores", 0],
     ]);
   });
 
