@@ -85,7 +85,7 @@ ACI318 = DesignCode(
         flange=FlangeRule(beams.flange_bars, beams.flange_limit, "22.9", beams.flange_steps),
         cracks=beams.cracks,
     ),
-    walls=WallRule(walls.least, walls.most, "9.9.2.1, 9.9.3.1"),
+    walls=WallRule(walls.least, walls.most, walls.steps, "9.9.2.1, 9.9.3.1"),
     bars=bars.checks,
     detailing=detailing.RULE,
     remarks=remarks,

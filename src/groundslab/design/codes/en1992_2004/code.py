@@ -83,7 +83,7 @@ EN1992 = DesignCode(
         flange=FlangeRule(beams.flange_bars, beams.flange_limit, "6.2.4", beams.flange_steps),
         cracks=beams.cracks,
     ),
-    walls=WallRule(walls.least, walls.most, "6.9, 9.6.2, 9.6.3, 9.7"),
+    walls=WallRule(walls.least, walls.most, walls.steps, "6.9, 9.6.2, 9.6.3, 9.7"),
     bars=bars.checks,
     detailing=detailing.RULE,
     fire=fire.checks,
