@@ -34,7 +34,7 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
     effect = (
         "it relieves shear and punching there, as the case specifies"
         if relieves
-        else "no check lets it relieve shear or punching: they take it as pressure on that strip"
+        else "it relieves neither shear nor punching, and counts as pressure on that strip"
     )
     words = Message(
         '{share:.3g} % of the load in "{combination}" reaches the ground as a line force along the edge, which stands '
