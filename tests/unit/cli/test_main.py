@@ -142,8 +142,8 @@ class TestSolve:
         fake(monkeypatch, "analysis.driver", solve=solver(made))
         assert main.main(["solve", str(case)]) == 3
         out, err = capsys.readouterr()
-        assert out.splitlines()[0].startswith("DESIGN FAILS: 1 of")
-        assert err.splitlines()[-1].startswith("DESIGN FAILS: 1 of")
+        assert out.splitlines()[0].startswith("DESIGN FAILS: bending; 1 of")
+        assert err.splitlines()[-1].startswith("DESIGN FAILS: bending; 1 of")
         assert "exit code 3" in err.splitlines()[-1]
 
     def test_quiet_says_nothing(self, case: Path, capsys: pytest.CaptureFixture[str]) -> None:

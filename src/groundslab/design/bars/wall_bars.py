@@ -33,6 +33,8 @@ class WallNeed:
     combination: str
     member: int  # the number of the part among all members
     away: float  # so far from its ends shear forces count [m]
+    thickness: float  # [m]
+    height: float  # that counts [m]
 
     @property
     def used(self) -> float:
@@ -75,6 +77,6 @@ def wall_needs(combined: Results, steel: Reinforcement) -> list[WallNeed]:
             place = float(part.nodes[most, 0]), float(part.nodes[most, 1])
             upright, level = (None, None) if rule.least is None else rule.least(t)
             needs.append(WallNeed(member.name, float(part.shear[most]), borne, upright, level, float(part.way[most]),
-                                  place, results.combination, number, away))  # fmt: skip
+                                  place, results.combination, number, away, t, height))  # fmt: skip
         governing += [max(needs, key=lambda need: need.used)] if needs else []
     return governing

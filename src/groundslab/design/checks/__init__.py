@@ -233,7 +233,7 @@ def _failure(worst: DesignCheck, count: str) -> str:
     times = (
         Message("{name}, {used:.3g} times its limit; ", name=worst.name, used=used)
         if used is not None and not worst.least
-        else ""
+        else Message("{name}; ", name=worst.name)
     )
     return Message("DESIGN FAILS: {times}{count}.", times=times, count=count)
 

@@ -16,6 +16,7 @@ import numpy as np
 from groundslab.arrays import Array, Flags, Integers
 from groundslab.design.bars.required_bars import largest_areas, required_areas
 from groundslab.design.codes.registry import code_of
+from groundslab.design.rules.calculation import Step
 from groundslab.design.rules.check import DesignCheck
 from groundslab.design.rules.combinations import ultimate_results
 from groundslab.design.rules.detailing_rule import DetailingRule, EndingBar
@@ -45,53 +46,91 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
     steel, results = combined.model.reinforcement, ultimate_results(combined)
     if steel is None or not steel.laid or not steel.zones or not results:
         return
-    code = code_of(steel)
-    rule = code.detailing
+    rule = code_of(steel).detailing
     if rule is None:
         return
     plate = results[0].plate
     thickness = results[0].elements.at_nodes(plate)[0]
     required = required_areas(steel, results)
     slab = get_plate_region(combined.model.plate, combined.model.plates).area
-    worst: tuple[float, str, int, Array, Array] | None = None
+    worst: tuple[float, int, _Layer, Array, list[_Developed]] | None = None
     for layer in LAYERS:
         zones = [zone for zone in steel.zones if layer in zone.layers]
         if not zones:
             continue
         needed = largest_areas(required, layer)[0]
         laid = laid_bars(steel, layer, plate.nodes)
-        base = steel.base_bars(layer)
-        assert base is not None
         ending = _Layer(layer, steel, rule, laid, plate.nodes, thickness, slab)
-        developed = np.full(len(needed), bar_area(base)) if ending.held else ending.developed(base, slab)
-        for zone in zones:
-            developed = developed + ending.developed(zone.bars, polygon_of(zone.shape.ring()).intersection(slab))
+        sets = [ending.base()]
+        sets += [ending.developed(zone.bars, polygon_of(zone.shape.ring()).intersection(slab)) for zone in zones]
+        developed = np.sum([each.area for each in sets], axis=0)
         # bars that are too few by themselves are told by the check of areas
         judged = (needed > 0) & (needed <= laid.area)
         used = np.divide(needed, developed, out=np.full(len(needed), np.inf), where=developed > 0)
         used = np.where(judged, used, 0.0)
         node = int(np.argmax(used))
         if worst is None or used[node] > worst[0]:
-            worst = float(used[node]), layer, node, needed, developed
-    if worst is None:
-        return
-    used_most, layer, node, needed, developed = worst
-    holds = used_most <= 1 + ROUNDING
-    clauses = f"{rule.clauses['anchorage']}, {rule.clauses['shift']}"
+            worst = float(used[node]), node, ending, needed, sets
+    if worst is not None:
+        yield _check(*worst)
+
+
+def _check(used: float, node: int, ending: _Layer, needed: Array, sets: list[_Developed]) -> DesignCheck:
+    """Return the check of a layer at the node where most of the developed bars is used."""
+    holds = used <= 1 + ROUNDING
+    clauses = f"{ending.rule.clauses['anchorage']}, {ending.rule.clauses['shift']}"
+    name, place = ending.name.replace("_", " "), place_of(ending.nodes, node)
+    developed = float(sum(each.area[node] for each in sets))
     words = Message(
         "{layer}: {needed:.4g (cm2/m)} {sign} {developed:.4g cm2/m} of developed bars at {place:.3f m} ({clause})",
-        layer=layer.replace("_", " "),
+        layer=name,
         needed=needed[node] * CM2,
         sign="<=" if holds else ">",
-        developed=developed[node] * CM2,
-        place=place_of(plate.nodes, node),
+        developed=developed * CM2,
+        place=place,
         clause=Clause(clauses),
     )
-    yield DesignCheck(
-        NAME, "no failure found" if holds else "fails", words, of=layer.replace("_", " "),
-        demand=float(needed[node]) * CM2, resistance=float(developed[node]) * CM2, unit="cm2/m",
-        clause=f"{code.name} {clauses}", place=place_of(plate.nodes, node),
+    return DesignCheck(
+        NAME, "no failure found" if holds else "fails", words, of=name,
+        demand=float(needed[node]) * CM2, resistance=developed * CM2, unit="cm2/m",
+        clause=f"{code_of(ending.steel).name} {clauses}", place=place,
+        steps=tuple(_steps(ending, float(needed[node]), [each for each in sets if each.to_end[node] >= 0], node)),
     )  # fmt: skip
+
+
+def _steps(ending: _Layer, needed: float, sets: list[_Developed], node: int) -> Iterator[Step]:
+    """Yield how much of each set of bars (one at least) is developed at a node where an area is needed [m2/m]."""
+    clauses, names = ending.rule.clauses, list[str]()
+    for n, each in enumerate(sets, 1):
+        yield Step(Message("diameter of bars {n}", n=n), f"phi_{n}", each.bars.diameter, "m")
+        yield Step(Message("distance of bars {n}", n=n), f"s_{n}", each.bars.spacing, "m")
+        area, formula = bar_area(each.bars) * CM2, f"pi / 4 * phi_{n}^2 / s_{n} * 10000"
+        yield Step(Message("area of bars {n}", n=n), f"A_{n}", area, "cm2/m", formula)
+        names.append(f"A_{n}")
+        if each.ending is None or each.shift is None or not np.isfinite(each.to_end[node]):
+            continue  # held at edges
+        yield Step(Message("distance to the nearer end of bars {n}", n=n), f"x_{n}", float(each.to_end[node]), "m")
+        words = Message("shift of moments for bars {n}", n=n)
+        yield Step(words, f"a_l,{n}", float(each.shift[node]), "m", clause=clauses["shift"])
+        yield from ending.rule.anchorage_steps(ending.steel, each.ending, n)
+        words, names[-1] = Message("what is developed of bars {n}", n=n), f"A_d,{n}"
+        formula = f"A_{n} * max(0, min(1, (x_{n} - a_l,{n}) / l_b,{n}))"
+        yield Step(words, f"A_d,{n}", float(each.area[node]) * CM2, "cm2/m", formula, clauses["anchorage"])
+    developed = float(sum(each.area[node] for each in sets)) * CM2
+    yield Step("area of developed bars", "A_d", developed, "cm2/m", " + ".join(names))
+    yield Step("required area", "A_req", needed * CM2, "cm2/m")
+    if developed > 0:
+        yield Step("share used", "eta", needed * CM2 / developed, "", "A_req / A_d")
+
+
+class _Developed(NamedTuple):
+    """What of a set of bars is developed at the nodes."""
+
+    bars: Bars
+    area: Array  # (n,) [m2/m]
+    to_end: Array  # (n,): to the nearer end [m], infinite where it is held, negative where there are no bars
+    ending: EndingBar | None = None  # None where no bar ends in the slab
+    shift: Array | None = None  # (n,): of moments where bars end [m]
 
 
 class _Layer(NamedTuple):
@@ -110,20 +149,32 @@ class _Layer(NamedTuple):
         """Return whether U-shaped bars hold the edges of the slab."""
         return self.steel.detailing is None or self.steel.detailing.edge_bars
 
-    def developed(self, bars: Bars, region: BaseGeometry) -> Array:
-        """Return what area of bars in a region of the slab is developed at the nodes (n,) [m2/m]."""
+    def base(self) -> _Developed:
+        """Return what of the bars all over the slab is developed at the nodes."""
+        bars = self.steel.base_bars(self.name)
+        assert bars is not None
+        if not self.held:
+            return self.developed(bars, self.slab)
+        count = len(self.nodes)
+        return _Developed(bars, np.full(count, bar_area(bars)), np.full(count, np.inf))
+
+    def developed(self, bars: Bars, region: BaseGeometry) -> _Developed:
+        """Return what of bars in a region of the slab is developed at the nodes."""
         inside, before, after = _to_ends(self.slab, region, self.name, self.nodes)
-        developed = np.zeros(len(self.nodes))
+        developed, to_end = np.zeros(len(self.nodes)), np.full(len(self.nodes), -1.0)
         if not len(inside):
-            return developed
+            return _Developed(bars, developed, to_end)
         axis, most = axis_of(self.steel, self.name), float(self.thickness[inside].max())
         below = most - axis if self.name.startswith("top") else axis
         apart = float((self.laid.clear[inside] + self.laid.thickest[inside]).min())
-        l_b = self.rule.anchorage(self.steel, EndingBar(bars.diameter, axis, apart, below, most - below))
+        bar = EndingBar(bars.diameter, axis, apart, below, most - below)
+        l_b = self.rule.anchorage(self.steel, bar)
         ends = [np.where(at_edge & self.held, np.inf, way) for way, at_edge in (before, after)]
-        a_l = self.rule.shift(self.thickness[inside] - axis, bars.diameter)
-        developed[inside] = bar_area(bars) * np.clip((np.minimum(*ends) - a_l) / l_b, 0.0, 1.0)
-        return developed
+        to_end[inside] = np.minimum(*ends)
+        shift = np.zeros(len(to_end))
+        shift[inside] = self.rule.shift(self.thickness[inside] - axis, bars.diameter)
+        developed[inside] = bar_area(bars) * np.clip((to_end[inside] - shift[inside]) / l_b, 0.0, 1.0)
+        return _Developed(bars, developed, to_end, bar, shift)
 
 
 def _to_ends(

@@ -31,10 +31,15 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
     if share <= MOST:
         return
     relieves = model.reinforcement is not None and model.reinforcement.line_force_relieves
-    effect = "it relieves shear and punching, as the case specifies" if relieves else "it relieves no check"
+    effect = (
+        "it relieves shear and punching there, as the case specifies"
+        if relieves
+        else "it relieves neither shear nor punching, and counts as pressure on that strip"
+    )
     words = Message(
-        '{share:.3g} % of the load in "{combination}" is carried by the line force along the edge, which '
-        "follows from k1 (strip of {strip_width:.3g m}); {effect}; compare the ground models",
+        '{share:.3g} % of the load in "{combination}" reaches the ground as a line force along the edge, which stands '
+        "for a rise of the pressure within {strip_width:.3g m} of it and follows from k1; {effect}; solve the slab on "
+        "a continuum, too (compare-ground), and keep the worse",
         share=100 * share,
         combination=Name(worst.combination),
         strip_width=strip_width(worst),

@@ -10,6 +10,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from groundslab.arrays import Array
+from groundslab.design.demands.edge_strip import Strip
 from groundslab.design.demands.tilt import AreaMeans, Sag
 from groundslab.design.rules.calculation import Step
 from groundslab.messages import Message, Name
@@ -106,8 +107,8 @@ def of_sag(sag: Sag) -> Iterator[Step]:
     yield Step("deflection over the distance", "Delta_l", sag.ratio * _MM, "mm/m", "abs(w - w_l) / l", clause)
 
 
-def of_pressure(p: float, edge: tuple[float, float] | None = None) -> Iterator[Step]:
-    """Yield the largest pressure: p [Pa] under the plate and, of an edge, its line force [N/m] over a strip [m].
+def of_pressure(p: float, edge: tuple[float, Strip] | None = None) -> Iterator[Step]:
+    """Yield the largest pressure: p [Pa] under the plate and, of an edge, its line force [N/m] over a strip.
 
     Where two edges meet, the line force is the sum of both.
     """
@@ -115,9 +116,19 @@ def of_pressure(p: float, edge: tuple[float, float] | None = None) -> Iterator[S
     if edge is None:
         yield Step("pressure that counts", "p_max", p / _K, "kPa", "p")
         return
-    f, b = edge
+    f, strip = edge
     yield Step("line force along the edge beside the place, of both edges at a corner", "f", f / _K, "kN/m")
-    yield Step("width of the strip that it is spread over", "b", b, "m")
+    formula = "min(L, l)"
+    if len(strip.k0) == 1:
+        yield Step("stiffness of the springs", "k_0", strip.k0[0] / 1e6, "MPa/m")
+        yield Step("shear stiffness of the ground", "k_1", strip.k1[0] / 1e6, "MPa m")
+        yield Step("how far the ground's surface takes to die out", "L", strip.decay, "m", "sqrt(k_1 / k_0)")
+    else:
+        words = "how far the surface of the ground of several layers takes to die out"
+        yield Step(words, "L", strip.decay, "m")
+    yield Step("farthest place of the plate from its edge", "l", strip.farthest, "m")
+    b = strip.width
+    yield Step("width of the strip that it is spread over", "b", b, "m", formula)
     yield Step("pressure that counts", "p_max", (p + f / b) / _K, "kPa", "p + f / b")
 
 

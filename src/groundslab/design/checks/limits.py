@@ -18,7 +18,7 @@ from groundslab.accuracy.singularities import find_limits
 from groundslab.accuracy.values import error_of_contact_share
 from groundslab.design.checks import limit_steps
 from groundslab.design.demands.by_plate import results_by_plate
-from groundslab.design.demands.edge_strip import spread_edge_force, strip_width
+from groundslab.design.demands.edge_strip import spread_edge_force, strip_of
 from groundslab.design.demands.tilt import area_means, deflections_between, settlement_differences, tilt
 from groundslab.design.rules.calculation import Step
 from groundslab.design.rules.check import NO_COMBINATION, ONE_COLUMN, DesignCheck, not_judged
@@ -169,9 +169,10 @@ def _pressure(results: CombinationResult) -> Demand:
     if by_edge <= 0:
         judged = find_limits(results.solved_model, results.plate).pressures[node]
         return Demand(value, "", place, partial(limit_steps.of_pressure, value), "" if judged else NOT_JUDGED)
-    b = strip_width(results)
+    strip = strip_of(results)
+    b = strip.width
     aside = Message("with {by_edge:.4g kPa} of the edge's line force over {b:.3g m}", by_edge=by_edge / 1e3, b=b)
-    return Demand(value, "", place, partial(limit_steps.of_pressure, alone, (by_edge * b, b)), aside)
+    return Demand(value, "", place, partial(limit_steps.of_pressure, alone, (by_edge * b, strip)), aside)
 
 
 def _error_of_pressure(results: CombinationResult) -> float | None:

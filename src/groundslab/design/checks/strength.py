@@ -15,6 +15,7 @@ from groundslab.design.bars import beam_bars, required_bars, wall_bars
 from groundslab.design.bars.members import members_of
 from groundslab.design.checks import pulling, punching
 from groundslab.design.codes.registry import code_of
+from groundslab.design.rules.calculation import MEGA, Step
 from groundslab.design.rules.check import GIVEN_SECTION, DesignCheck, judge_apart, not_judged, some
 from groundslab.design.rules.combinations import UNFACTORED, ultimate_results, why_none, without_partial_factors
 from groundslab.design.rules.demand_errors import error_of_ratio, scaled
@@ -148,7 +149,22 @@ def _struts(combined: Results, clause: str, needs: list[wall_bars.WallNeed]) -> 
         "walls", "no failure found" if worst.used <= 1 else "fails", words, of=worst.wall,
         demand=abs(worst.force) / 1e3, resistance=worst.borne / 1e3, unit="kN", combination=worst.combination,
         place=worst.place, clause=clause, error=scaled(error, worst.borne / 1e3),
+        steps=tuple(_wall_steps(combined, worst)),
     )  # fmt: skip
+
+
+def _wall_steps(combined: Results, need: wall_bars.WallNeed) -> Iterator[Step]:
+    """Yield the calculation of a part of a wall."""
+    steel = combined.model.reinforcement
+    assert steel is not None
+    rule = code_of(steel).walls
+    assert rule is not None
+    t, height = need.thickness, need.height
+    yield Step("shear force", "V", abs(need.force) / MEGA, "MN")
+    yield Step("thickness", "t", t, "m")
+    yield Step("height, no more than the length", "h", height, "m")
+    yield from rule.steps(steel, combined.results[need.combination].limit_state, t, height)
+    yield Step("share used", "eta", need.used, "", "V / V_max")
 
 
 def _webs(combined: Results, needs: list[beam_bars.BeamNeed], clause: str) -> DesignCheck:

@@ -16,6 +16,7 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 from operator import attrgetter
+from typing import NamedTuple
 
 import numpy as np
 
@@ -51,11 +52,30 @@ def line_force_share(results: CombinationResult) -> float:
     return along / carried if carried > 0 else 0.0
 
 
-def strip_width(results: CombinationResult) -> float:
-    """Return the width b [m] of the strip that the line force is spread over."""
+class Strip(NamedTuple):
+    """The strip beside the plate's edge that the line force is spread over."""
+
+    k0: tuple[float, ...]  # of each layer [N/m3]
+    k1: tuple[float, ...]  # [N/m]
+    decay: float  # L [m]
+    farthest: float  # of the plate from its edge [m]
+
+    @property
+    def width(self) -> float:
+        """Return b [m]."""
+        return min(self.decay, self.farthest)
+
+
+def strip_of(results: CombinationResult) -> Strip:
+    """Return the strip that the line force is spread over."""
     k0, k1 = (np.array(constant) for constant in (results.constants.k0, results.constants.k1))
     decay = decay_length(interface_stack(k0, np.maximum(k1, LEAST_SHEAR * k1.max())))
-    return min(decay, farthest_from_edges(results))
+    return Strip(tuple(k0.ravel().tolist()), tuple(k1.ravel().tolist()), decay, farthest_from_edges(results))
+
+
+def strip_width(results: CombinationResult) -> float:
+    """Return the width b [m] of the strip that the line force is spread over."""
+    return strip_of(results).width
 
 
 def plates_that_count(

@@ -11,7 +11,7 @@ import math
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import TYPE_CHECKING, TypeVar
+from typing import TYPE_CHECKING, NamedTuple, TypeVar
 
 import numpy as np
 
@@ -255,6 +255,11 @@ class PerimeterLoads:
     crossings: tuple[Crossing, ...] = ()  # of beams
     joints: tuple[HandedOver, ...] = ()  # by other plates
 
+    @property
+    def size(self) -> float:
+        """Return the area of the plate inside [m2]."""
+        return float(self.area.sum())
+
 
 @dataclass(frozen=True, slots=True)
 class HandedOver:
@@ -292,6 +297,24 @@ class Crossing:
         return self.sign * np.array([V, *(V * self.place - M * self.along - T * left)])
 
 
+class MomentParts(NamedTuple):
+    """What the moments of all forces by their places about a perimeter's center are made of, along two axes.
+
+    Of loads inside they are those of forces downwards, of the ground those of forces upwards.
+    """
+
+    own: Array  # (2,): of the column or pile itself [N m]
+    away: Array  # (2,): its center from that of the perimeter [m]
+    others: Array  # (2,): of other loads inside [N m]
+    pressure: Array  # (2,): of the ground's pressure inside [N m]
+    edge: Array  # (2,): of the line force along the plate's edge inside, where it counts [N m]
+    supports: Array  # (2,): of other supports inside, as far as they add [N m]
+
+    def along(self, frame: Array) -> MomentParts:
+        """Return them along other axes (2, 2), a unit vector in each row."""
+        return MomentParts(*(frame @ part for part in self))
+
+
 @dataclass(frozen=True, slots=True)
 class PunchingShear:
     """What punches on a perimeter in one combination."""
@@ -302,6 +325,7 @@ class PunchingShear:
     edge: float  # line force of the ground along the plate's edge inside [N]
     others: float  # other loads inside, shear forces of beams across the perimeter, and what joints add inside [N]
     supported: bool  # whether another support acts inside; what it adds to V is counted, what it takes off is not
+    parts: MomentParts  # of the moments
 
 
 @dataclass(frozen=True, slots=True)
@@ -391,13 +415,17 @@ def punching_shear(
     handed = [joint.acting(results) for joint in inside.joints]
     others = sum((force for force in handed if sign * force[0] > 0), others)
     acting = np.array([force, *(force * np.array(punching.place))]) + sign * (others - pressure)
-    if edge_relieves or sign * edge[0] < 0:
-        acting = acting - sign * edge
+    counted = edge if edge_relieves or sign * edge[0] < 0 else np.zeros(3)
+    acting = acting - sign * counted
     along = [-sign * _force_of(results.supports[number]) for number in inside.supports]
-    acting = sum((force for force in along if force[0] > 0), acting)
+    adding = sum((force for force in along if force[0] > 0), np.zeros(3))
+    acting = acting + adding
     moments = np.array(own_moments) + acting[1:] - acting[0] * center
     supported = any(force[0] for force in along)
-    return PunchingShear(float(acting[0]), moments, float(pressure[0]), float(edge[0]), float(others[0]), supported)
+    of_each = (forces[1:] - forces[0] * center for forces in (others, pressure, counted, adding))
+    parts = MomentParts(np.array(own_moments), np.array(punching.place) - center, *of_each)
+    sums = float(pressure[0]), float(edge[0]), float(others[0])
+    return PunchingShear(float(acting[0]), moments, *sums, supported, parts)
 
 
 def _force_of(support: SupportResult) -> Array:

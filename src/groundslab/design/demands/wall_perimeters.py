@@ -32,7 +32,7 @@ if TYPE_CHECKING:
 #: The largest b_1, and what a_1 and b_1 together have at most, over the effective depth.
 MOST_ACROSS, MOST_AROUND = 2.8, 5.6
 #: Straight pieces are read in the middle of so many parts, quarter circles in the middle of so many chords.
-PARTS, QUARTER_CHORDS = 16, 32
+PARTS, QUARTER_CHORDS = 16, 64
 #: So much of its quarter circles must be on the plate: what hardly turns cuts the slab, which is one-way shear.
 LEAST_TURNED = 0.25
 #: Where the outer angle of a corner is larger, its point is cut off across the end of the axes, as a wall's end is.
@@ -74,13 +74,13 @@ def loaded_area(end: WallEnd, d: float, most_along: float = math.inf) -> LoadedA
         # where both faces meet
         way = np.linalg.solve(np.stack([run[0], -run[1]], axis=1), faces[1] - faces[0])
         faces = np.tile(faces[0] + way[0] * run[0], (2, 1))
-    along = (min(_half_length(legs[0], d), most_along * d), min(_half_length(legs[1], d), most_along * d))
+    along = (min(half_length(legs[0], d), most_along * d), min(half_length(legs[1], d), most_along * d))
     whole = float(np.linalg.norm(faces[1] - faces[0]))
     across = whole if end.kind == "corner" else min(whole, MOST_ACROSS * d)
     return LoadedArea(end, along, across, faces, run, outward)
 
 
-def _half_length(leg: WallLeg, d: float) -> float:
+def half_length(leg: WallLeg, d: float) -> float:
     """Return a_1 / 2 [m] along a wall."""
     b_1 = min(leg.thickness, MOST_ACROSS * d)
     return min(leg.length, 2 * leg.thickness, MOST_AROUND * d - b_1) / 2
@@ -146,6 +146,7 @@ class WallPerimeters:
 
     distances: Array  # (k,): from the faces [m]
     u: Array  # (k,): the lengths that count [m]
+    whole: Array  # (k,): of what lies on the plate [m]
     nodes: Integers  # (n,)
     across: Array  # (2, k, n): of nodal shear_x and shear_y in what they are across a perimeter, inwards positive [m]
 
@@ -185,6 +186,7 @@ def wall_perimeters(
     of_turns, on_plate = (np.bincount(number[mask], minlength=len(courses)) for mask in (turns, turns & on))
     u = np.zeros(len(courses))
     length = np.linalg.norm(run, axis=1)
+    whole = np.asarray(np.bincount(number[on], length[on], minlength=len(courses)), dtype=float)
     if shares is not None:
         for k, distance in enumerate(distances):
             length[number == k] *= shares(middle[number == k], float(distance))
@@ -197,4 +199,4 @@ def wall_perimeters(
     rows = np.repeat(number[on][:, None], of_nodes.shape[1], axis=1)
     for axis in (0, 1):
         np.add.at(across[axis], (rows, which.reshape(of_nodes.shape)), q9(local[on])[0] * inward[axis][:, None])
-    return WallPerimeters(distances[kept], u[kept], nodes, across[:, kept])
+    return WallPerimeters(distances[kept], u[kept], whole[kept], nodes, across[:, kept])

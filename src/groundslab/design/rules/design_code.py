@@ -260,12 +260,15 @@ class WallRule:
         Of a thickness [m]: the least bars upright and level, both faces together [m2/m].
     most : callable
         Of materials, a limit state, a thickness and a height [m]: the largest shear force that struts bear [N].
+    steps : callable
+        Of the same: the calculation of this force, V_max, from the thickness t and the height h.
     clauses : str
         Where the code rules these.
     """
 
     least: Callable[[float], tuple[float, float]] | None
     most: Callable[[Reinforcement, str, float, float], float]
+    steps: Callable[[Reinforcement, str, float, float], Iterator[Step]]
     clauses: str
 
 

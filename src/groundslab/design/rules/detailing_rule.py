@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
 from groundslab.arrays import Array
+from groundslab.design.rules.calculation import Step
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.results import Results
 
@@ -57,6 +58,8 @@ class DetailingRule:
         at the plate's nodes so that cracks keep their limit, 0 where there is none; inf where no area does.
     crack_spacing : callable or None
         Of materials and a cover [m]: the largest distance of bars for cracks [m], whatever bends the slab.
+    anchorage_steps : callable
+        Of materials, a bar, and a number n that ends the symbols: the calculation of its anchorage length l_b,n.
     clauses : dict
         Where the code rules anchorage, laps, the shift of moments and edges, by these names.
     """
@@ -70,4 +73,5 @@ class DetailingRule:
     edge_leg: float
     crack_area: Callable[[Results, Reinforcement, str, float, float], Array] | None
     crack_spacing: Callable[[Reinforcement, float], float] | None
+    anchorage_steps: Callable[[Reinforcement, EndingBar, int], Iterator[Step]]
     clauses: dict[str, str]

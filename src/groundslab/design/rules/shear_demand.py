@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field
+from math import inf, isclose, isfinite
 from typing import NamedTuple
 
-from groundslab.design.rules.calculation import MEGA, Step
+from groundslab.design.rules.calculation import MEGA, SAME, Step, depth_steps
 from groundslab.design.rules.check import DesignCheck, Status
 from groundslab.design.rules.demand_errors import scaled
 from groundslab.messages import Message, Name
+from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.model.design.shear_links import ShearLinks
 from groundslab.results.results import CombinationResult
 
@@ -71,15 +73,27 @@ class ShearDemand:
         yield Step("shear force on sections y = const", "q_y", q_y / MEGA, "MN/m")
         yield Step("largest shear force of any direction", symbol, self.v / MEGA, "MN/m", "sqrt(q_x^2 + q_y^2)", clause)
 
+    def depth_steps(self, steel: Reinforcement, clause: str = "") -> Iterator[Step]:
+        """Yield the effective depth, at most places that to the axes of bars at the face where they lie deeper."""
+        axes = max(steel.bottom_axes, steel.top_axes, key=sum)
+        if isclose(self.thickness - sum(axes) / 2, self.d, rel_tol=SAME):
+            yield from depth_steps(self.d, axes, clause=clause)
+        else:
+            words = "effective depth, mean over the cut" if self.across else "effective depth"
+            yield Step(words, "d", self.d, "m", clause=clause)
+
     def mean_steps(self, resistance: str, force: str, clause: str) -> Iterator[Step]:
         """Yield what needs no links over a cut where depth or bars differ, and the share used."""
         without = self.without_links / MEGA
         yield Step("force that needs no links, mean over the cut", resistance, without, "MN/m", clause=clause)
         yield Step("share used", "eta", self.used, "", f"{force} / {resistance}", clause)
 
-    def ratio_steps(self, symbol: str, force: str, clause: str) -> Iterator[Step]:
-        """Yield the ratio of bars along the force, of the symbol given, from that along x and y; of cuts the ratio."""
-        rho = self.rho or 0.0
+    def ratio_steps(self, symbol: str, force: str, clause: str, most: float = inf) -> Iterator[Step]:
+        """Yield the ratio of bars along the force, of the symbol given, from that along x and y; of cuts the ratio.
+
+        No more than `most` counts.
+        """
+        rho = min(self.rho or 0.0, most)
         if self.along is None or not self.v:
             yield Step("ratio of bars in tension", symbol, rho, clause=clause)
             return
@@ -96,7 +110,12 @@ class ShearDemand:
         yield Step(
             "moment along the force, positive where the bottom is in tension", "m_n", m_n / MEGA, "MNm/m", formula
         )
-        yield Step(Message("ratio of bars along x at the {face}", face=face), "rho_x", rho_x)
-        yield Step(Message("ratio of bars along y at the {face}", face=face), "rho_y", rho_y)
+        for axis, ratio in (("x", rho_x), ("y", rho_y)):
+            words = Message("bars along {axis} at the {face}", axis=Name(axis), face=face)
+            yield Step(words, f"A_{axis}", ratio * self.d * 1e4, "cm2/m")
+            words = Message("ratio of bars along {axis}", axis=Name(axis))
+            yield Step(words, f"rho_{axis}", ratio, "", f"A_{axis} / (10000 * d)")
         formula = "rho_x * s^2 + rho_y * (1 - s)^2"
+        if isfinite(most):
+            formula = f"min({most:g}, {formula})"
         yield Step("ratio of bars in tension along the force", symbol, rho, "", formula, clause)

@@ -6,6 +6,7 @@ punches is the shear force that the slab takes away from there. Codes say at wha
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache, partial
@@ -20,9 +21,19 @@ from groundslab.design.demands.edge_strip import plates_that_count
 from groundslab.design.demands.loads.wall_loads import WallLoads, forces_on_walls, loads_on_wall
 from groundslab.design.demands.perimeter_loads import footprint_of, thickness_at
 from groundslab.design.demands.perimeters import FAR, Openings, outline, shadow_of
-from groundslab.design.demands.wall_perimeters import LoadedArea, WallPerimeters, loaded_area, wall_perimeters
+from groundslab.design.demands.wall_perimeters import (
+    MOST_ACROSS,
+    MOST_AROUND,
+    LoadedArea,
+    WallPerimeters,
+    half_length,
+    loaded_area,
+    wall_perimeters,
+)
 from groundslab.design.demands.zones.thinner_slab import Share, depth_share, shares_at, thinner_parts
+from groundslab.design.rules.calculation import BY_CHORDS, MEGA, Step
 from groundslab.design.rules.combinations import ultimate_results
+from groundslab.messages import Message, Name
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.model.model import Model
 from groundslab.model.structure.columns import Column
@@ -32,6 +43,8 @@ from groundslab.results.results import CombinationResult, Results
 
 #: beta at an end and at a corner of walls (DIN EN 1992-1-1/NA, Figure NA.6.21.1).
 BETA: Mapping[str, float] = {"end": 1.35, "corner": 1.20}
+#: Where it is shown how much of walls counts.
+FIGURE = "DIN EN 1992-1-1/NA Figure NA.6.12.1"
 #: The openings that count, of a slab's thickness and its effective depth [m].
 Reach = Callable[[float, float], Openings]
 
@@ -50,6 +63,55 @@ class WallSite:
     def face(self) -> Literal["bottom", "top"]:
         """Return the face whose bars are in tension."""
         return "top" if self.pulls else "bottom"
+
+    def course_steps(self, a: float, symbols: tuple[str, str, str, str], clause: str) -> Iterator[Step]:
+        """Yield how long the perimeter at a distance a [m] is, as much of the walls counting as counts.
+
+        The symbols are those of the effective depth, of the distance, of the whole length on the plate and of what
+        counts of it.
+        """
+        d, distance, whole, counted = symbols
+        k = int(np.argmin(np.abs(self.perimeters.distances - a)))
+        legs = (self.end.legs[0],) if self.end.kind == "end" else (self.end.legs[0], self.end.legs[-1])
+        for n, (leg, along) in enumerate(zip(legs, self.area.along, strict=False), 1):
+            name = Name(leg.wall)
+            yield Step(Message("thickness of {wall}", wall=name), f"b_{n}", leg.thickness, "m")
+            yield Step(Message("length of {wall} from here on", wall=name), f"L_{n}", leg.length, "m")
+            formula = f"min(L_{n}, 2 * b_{n}, {MOST_AROUND:g} * {d} - min(b_{n}, {MOST_ACROSS:g} * {d})) / 2"
+            by_figure = half_length(leg, self.d)
+            if along < by_figure:
+                formula = f"min({formula}, {along / self.d:g} * {d})"
+            words = Message("length along a side of {wall} that counts, a_1 / 2", wall=name)
+            yield Step(words, f"l_{n}", along, "m", formula, FIGURE)
+        formula = f"2 * l_1 + alpha * {distance}" if len(legs) == 1 else f"l_1 + l_2 + alpha * {distance}"
+        if self.area.across:
+            across = f"min(b_1, {MOST_ACROSS:g} * {d})" if len(legs) == 1 else ""
+            yield Step(
+                "width across the end that counts, b_1 of the figure", "b_e", self.area.across, "m", across, FIGURE
+            )
+            formula = f"b_e + {formula}"
+        turned = self.end.outer_angle - math.pi
+        yield Step("angle that it turns by around the corners", "alpha", turned, "rad")
+        u, on_plate = float(self.perimeters.u[k]), float(self.perimeters.whole[k])
+        by_parts = self.area.across + sum(self.area.along) + turned * a
+        follows = math.isclose(by_parts, on_plate, rel_tol=BY_CHORDS)
+        yield Step("its length on the slab", whole, on_plate, "m", formula if follows else "", clause)
+        if not math.isclose(u, on_plate, rel_tol=BY_CHORDS):
+            yield Step("what counts of it, less openings, less in thinner slab", counted, u, "m", clause=clause)
+
+    def whole(self, a: float) -> float:
+        """Return how long the perimeter at a distance a [m] is on the plate [m]."""
+        return float(self.perimeters.whole[np.argmin(np.abs(self.perimeters.distances - a))])
+
+    def force_steps(self, a: float, V: float, symbols: tuple[str, str], clause: str) -> Iterator[Step]:
+        """Yield the shear force V [N] of the slab across the perimeter at a distance a [m], by its mean."""
+        whole, force = symbols
+        k = int(np.argmin(np.abs(self.perimeters.distances - a)))
+        mean = V / float(self.perimeters.whole[k])
+        yield Step("mean shear force of the slab across it, from the analysis", "v_m", mean / 1e3, "kN/m")
+        yield Step(
+            "shear force of the slab across the perimeter", force, V / MEGA, "MN", f"v_m * {whole} / 1000", clause
+        )
 
     @property
     def end(self) -> WallEnd:

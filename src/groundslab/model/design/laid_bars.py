@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING, Literal, NamedTuple
 
 import numpy as np
 
@@ -122,17 +122,27 @@ def mean_area(
     return min(areas)
 
 
-def punching_ratio(
+class PunchingBars(NamedTuple):
+    """Areas of bars that count for punching, along x and along y [m2/m]."""
+
+    x: float
+    y: float
+
+    def ratio(self, d: float) -> float:
+        """Return rho_l for an effective depth d [m] (6.4.4(1))."""
+        return math.sqrt(self.x * self.y) / d
+
+
+def punching_bars(
     plate: Plate,
     steel: Reinforcement,
     column: Column,
     d: float,
     plates: tuple[FurtherPlate, ...] = (),
     face: Literal["bottom", "top"] = "bottom",
-) -> float:
-    """Return rho_l of the bars provided at a face, for punching at a column, or a pile (6.4.4(1))."""
-    x, y = (mean_area(plate, steel, layer, column, d, plates) for layer in (f"{face}_x", f"{face}_y"))
-    return math.sqrt(x * y) / d
+) -> PunchingBars:
+    """Return the bars provided at a face that count for punching at a column, or a pile."""
+    return PunchingBars(*(mean_area(plate, steel, layer, column, d, plates) for layer in (f"{face}_x", f"{face}_y")))
 
 
 def polygon_of(ring: Ring) -> Polygon:

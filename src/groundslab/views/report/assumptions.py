@@ -5,11 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from groundslab.messages import Message, joined, series, words_in
+from groundslab.design.codes.en1992_2004.annex import file_of
+from groundslab.messages import Message, Name, joined, series, words_in
 from groundslab.model.ground import ContinuousGround, Continuum, Winkler
 from groundslab.views.tables.reinforcement import averages
 
 if TYPE_CHECKING:
+    from groundslab.model.design.reinforcement import Reinforcement
     from groundslab.model.model import Model
     from groundslab.results.results import Results
 
@@ -57,6 +59,10 @@ _LINE_FORCE = (
     "At the plate's edge the ground's shear acts as a line force, in addition to the pressure. The pressure limit "
     "counts it as pressure over a strip, and it relieves neither punching nor one-way shear{unless}."
 )
+_PARAMETERS = (
+    "National parameters are those of {title}; the page National parameters of the documentation lists each with its "
+    "sources."
+)
 _CELLS = (
     "Pressure at a node is the mean of the cells around it. It has no limit along the plate's edge: its largest value "
     "grows as the mesh is refined."
@@ -82,11 +88,18 @@ def list_assumptions(combined: Results) -> list[str]:
         sentences.append(
             Message("Bars are for Wood's design moments, {supports}.", supports=averages(model.reinforcement))
         )
+        sentences += _of_parameters(model.reinforcement)
     if len(combined.combinations) > 1:
         sentences.append(
             "Envelopes hold the extreme of each quantity by itself; values in different rows need not act together."
         )
     return [words_in(sentence, model.units) for sentence in sentences]
+
+
+def _of_parameters(steel: Reinforcement) -> Iterator[str]:
+    """Yield whose national parameters a design has, and where their sources are listed."""
+    if steel.code == "EN 1992-1-1" and steel.annex != "recommended":
+        yield Message(_PARAMETERS, title=Name(file_of(steel.annex).title))
 
 
 def _of_plate(model: Model) -> str:

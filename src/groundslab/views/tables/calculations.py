@@ -32,7 +32,8 @@ _HEADS: Heads = (
 _NOTES = (
     "Each at its governing place and in its governing combination, see the table checks. What a value is made of "
     "stands above it; angles in formulas are in radians. In punching axis 1 runs along the edge at a column beside "
-    "one, and along c_x of one inside; places are from the center of what counts of the perimeter.",
+    "one, from one end of the perimeter to the other at a corner, and along c_x of a column inside; places are from "
+    "the center of what counts of the perimeter.",
 )
 
 

@@ -13,6 +13,7 @@ from groundslab.design.checks import DesignCheck, check_design
 from groundslab.design.checks.anchorage import NAME
 from groundslab.design.rules.combinations import ultimate_results
 from groundslab.model.model import Model
+from helpers.calculations import follow_steps
 from helpers.solve_once import solve_once
 
 #: Areas of the base and of a zone of 16 mm between it, all 0.15 m apart [m2/m].
@@ -73,6 +74,9 @@ def test_bars_that_end_too_early_fail() -> None:
         outside = float((needed[abs(nodes[:, 0]) > half] / BASE).max())
         assert check.utilization == pytest.approx(max(worst[half], outside if outside <= 1 else 0.0), rel=1e-3)
         assert check.status == ("fails" if worst[half] > 1 else "no failure found")
+        known = follow_steps(check.steps)
+        assert known["A_d"] == pytest.approx(check.resistance)
+        assert known.get("l_b,2", l_bd) == pytest.approx(l_bd)
     assert worst[1.0] > 1 > worst[2.5]
 
 

@@ -264,7 +264,7 @@ def test_means_over_a_cut_are_followed(laid: bool) -> None:
     rows = [row for row in table.rows() if row[0] == "one-way shear"]
     words = {str(row[4]): (str(row[3]), str(row[5])) for row in rows}
     assert words["v_u"][0] == "shear force, mean over the cut"
-    assert words["d"][0] == "effective depth, mean over the cut"
+    assert words["d"] == ("effective depth", "h - (a_x + a_y) / 2")
     assert ("rho_w" in words, bool(words["v_c"][1])) == (laid, laid)
     assert follow(table) > 10
 

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from groundslab.model.design.bars import MESHES, MeshName, bars_of_mesh
-from groundslab.model.design.laid_bars import laid_bars, mean_area, punching_ratio
+from groundslab.model.design.laid_bars import laid_bars, mean_area, punching_bars
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.model.model import Model
 from groundslab.model.plate import Plate
@@ -111,7 +111,7 @@ def test_bars_that_end_within_the_perimeter_do_not_count() -> None:
     narrow = model([zone((-4, 4), (-1, 1))])
     assert mean_area(*parts(narrow), "bottom_y", narrow.columns[0], D) == pytest.approx(area(0.012))
     ratio = np.sqrt((area(0.012) + area(0.016) * 2 / 3.6) * area(0.012)) / D
-    assert punching_ratio(*parts(narrow), narrow.columns[0], D) == pytest.approx(ratio)
+    assert punching_bars(*parts(narrow), narrow.columns[0], D).ratio(D) == pytest.approx(ratio)
 
 
 def test_width_ends_with_the_plate() -> None:

@@ -91,7 +91,7 @@ ACI318 = DesignCode(
         link_distances=beams.link_distances,
         distance_clauses="9.7.6.2.2, 9.7.6.3.3",
     ),
-    walls=WallRule(walls.least, walls.most, "9.9.2.1, 9.9.3.1"),
+    walls=WallRule(walls.least, walls.most, walls.steps, "9.9.2.1, 9.9.3.1"),
     bars=bars.checks,
     detailing=detailing.RULE,
     remarks=remarks,

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import numpy as np
 
 from groundslab.design.codes.aci318 import development
 from groundslab.design.codes.aci318.checks.bars import CLEAR, CRACKS, SPACING, crack_spacing, crack_stress, least_cover
 from groundslab.design.codes.aci318.materials_of_case import materials
+from groundslab.design.rules.calculation import MEGA, Step
 from groundslab.design.rules.detailing_rule import DetailingRule, EndingBar
 from groundslab.model.design.reinforcement import Reinforcement
 
@@ -19,6 +22,26 @@ def _length(steel: Reinforcement, bar: EndingBar, *, splice: bool) -> float:
     find = development.splice_length if splice else development.development_length
     cover, clear = bar.axis - bar.diameter / 2, bar.spacing - bar.diameter
     return find(*materials(steel), bar.diameter, cover=cover, clear=clear, below=bar.below)
+
+
+def anchorage_steps(steel: Reinforcement, bar: EndingBar, n: int) -> Iterator[Step]:
+    """Yield how the development length of bars number n is found."""
+    concrete, bars = materials(steel)
+    cover, clear = bar.axis - bar.diameter / 2, bar.spacing - bar.diameter
+    divisor, psi_g, psi_t, close = development.factors(bars, bar.diameter, cover, clear, bar.below)
+    yield Step("yield strength", "f_y", bars.f_y / MEGA, "MPa", clause="20.2.1")
+    yield Step("root of the concrete's strength that counts", "r", concrete.root / MEGA, "MPa", clause="25.4.1.4")
+    yield Step("factor of the grade", "psi_g", psi_g, clause="Table 25.4.2.5")
+    yield Step("concrete below the axis of the bar", f"h_b,{n}", bar.below, "m")
+    yield Step("factor of concrete cast below", f"psi_t,{n}", psi_t, clause="Table 25.4.2.5")
+    yield Step("cover of the bar", f"c_{n}", cover, "m")
+    yield Step("clear distance of bars", f"c_s,{n}", clear, "m")
+    words = "factor of bars closer than 2 d_b, or with less cover than d_b"
+    yield Step(words, f"k_{n}", close, clause="Table 25.4.2.3")
+    yield Step("divisor of thin or thick bars", f"q_{n}", divisor, clause="Table 25.4.2.3")
+    formula = f"max(f_y * psi_t,{n} * psi_g * k_{n} / (q_{n} * r) * phi_{n}, {development.LEAST:g})"
+    length = _length(steel, bar, splice=False)
+    yield Step("development length", f"l_b,{n}", length, "m", formula, "25.4.2.1, 25.4.2.3")
 
 
 def _spacing(_: Reinforcement, thickness: float) -> float:
@@ -42,5 +65,6 @@ RULE = DetailingRule(
     edge_leg=2.0,  # as EN 1992-1-1 Figure 9.8: ACI 318 has no rule
     crack_area=None,
     crack_spacing=_crack_spacing,
+    anchorage_steps=anchorage_steps,
     clauses={"anchorage": "25.4.2", "laps": "25.5.2", "shift": "7.7.3.3", "edges": ""},
 )

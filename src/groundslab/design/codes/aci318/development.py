@@ -45,8 +45,16 @@ def splice_length(
 
 def _length(concrete: Concrete, steel: Steel, diameter: float, cover: float, clear: float, below: float) -> float:
     """Return l_d [m] without its least value."""
+    divisor, psi_g, psi_t, close = factors(steel, diameter, cover, clear, below)
+    return steel.f_y * psi_t * psi_g * close / (divisor * concrete.root) * diameter
+
+
+def factors(
+    steel: Steel, diameter: float, cover: float, clear: float, below: float
+) -> tuple[float, float, float, float]:
+    """Return the divisor of the diameter, psi_g, psi_t, and the factor of bars that are close; lengths in meters."""
     divisor = THIN if diameter <= THIN_BAR + ROUNDING else THICK
     psi_g = next((factor for most, factor in GRADES if steel.f_y <= most), GRADES[-1][1])
     psi_t = TOP if below > TOP_DEPTH + ROUNDING else 1.0
     roomy = clear >= 2 * diameter - ROUNDING and cover >= diameter - ROUNDING
-    return steel.f_y * psi_t * psi_g * (1.0 if roomy else CLOSE) / (divisor * concrete.root) * diameter
+    return divisor, psi_g, psi_t, 1.0 if roomy else CLOSE

@@ -27,6 +27,7 @@ FORMULAS = {
     "gamma_v1": "1 - 1 / (1 + 2 / 3 * sqrt(b_1 / b_2))",
     "gamma_v2": "1 - 1 / (1 + 2 / 3 * sqrt(b_2 / b_1))",
     "v_u": "V_u / (b_o * d) + gamma_v1 * M_1 * c_1 / J_1 + gamma_v2 * M_2 * c_2 / J_2",
+    "J_n": "d * I_n + d^3 / 12 * l_n",
     "v_c": "min(0.33, 0.166 * (1 + 2 / beta), 0.083 * (2 + alpha_s * d / b_o)) * lambda_s * r",
     "v_max": "0.498 * r",
     "v_cs (s)": "min(0.25, 0.166 * (1 + 2 / beta), 0.083 * (2 + alpha_s * d / b_o)) * lambda_s * r",
@@ -122,6 +123,9 @@ class Transfer:
     moments: Array  # (2,) [N m]
     J: Array  # (2,) [m4]
     places: Array  # (2,): where v_u is largest, from the centroid [m]
+    axes: Array  # (2, 2): unit vectors of both
+    second: Array  # (2,): int e^2 dl of the sides [m3]
+    lengths: Array  # (2,): int cos^2 dl of the sides [m]
 
     @property
     def v_u(self) -> float:
@@ -162,4 +166,6 @@ def transfer(
     places = (legs.reshape(-1, 2) - center) @ axes.T
     along, J_c = axes @ moments, np.diag(axes @ J @ axes.T)
     worst = places[np.argmax(places @ (shares * along / J_c))]
-    return Transfer(V_u, total_length(legs) * d, np.array([b_1, b_2]), shares, along, J_c, worst)
+    second, lengths = (np.diag(axes @ each @ axes.T) for each in (second_moments(legs, center), directions(legs)))
+    extents = np.array([b_1, b_2])
+    return Transfer(V_u, total_length(legs) * d, extents, shares, along, J_c, worst, axes, second, lengths)

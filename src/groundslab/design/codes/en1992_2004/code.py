@@ -88,7 +88,7 @@ EN1992 = DesignCode(
         link_distances=beams.link_distances,
         distance_clauses="9.2.2(6), (8), 9.2.3(3)",
     ),
-    walls=WallRule(walls.least, walls.most, "6.9, 9.6.2, 9.6.3, 9.7"),
+    walls=WallRule(walls.least, walls.most, walls.steps, "6.9, 9.6.2, 9.6.3, 9.7"),
     bars=bars.checks,
     detailing=detailing.RULE,
     fire=fire.checks,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 
 import numpy as np
 
@@ -11,8 +11,10 @@ from groundslab.design.codes.en1992_2004 import anchorage, cracking
 from groundslab.design.codes.en1992_2004.annex import annex_of
 from groundslab.design.codes.en1992_2004.materials_of_case import least_cover, materials, strengths, widest_crack
 from groundslab.design.demands.support_moments import bar_moments
+from groundslab.design.rules.calculation import MEGA, Step
 from groundslab.design.rules.combinations import solved_results
 from groundslab.design.rules.detailing_rule import DetailingRule, EndingBar
+from groundslab.fem.cracked_section import mean_tensile_strength
 from groundslab.model.design.laid_bars import axis_of
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.results import Results
@@ -31,6 +33,38 @@ def _length(steel: Reinforcement, bar: EndingBar, *, lap: bool) -> float:
     c_d = min(bar.axis - bar.diameter / 2, (bar.spacing - bar.diameter) / 2)  # Figure 8.3
     find = anchorage.lap_length if lap else anchorage.anchorage_length
     return find(*materials(steel), bar.diameter, c_d, good)
+
+
+def anchorage_steps(steel: Reinforcement, bar: EndingBar, n: int) -> Iterator[Step]:
+    """Yield how the anchorage length of bars number n is found."""
+    concrete, bars = materials(steel)
+    good = anchorage.good_bond(bar.below, bar.above)
+    f_bd = anchorage.bond_stress(concrete, bar.diameter, good) / MEGA
+    c_d = min(bar.axis - bar.diameter / 2, (bar.spacing - bar.diameter) / 2)
+    basic = anchorage.basic_length(concrete, bars, bar.diameter, good)
+    f_ctm = mean_tensile_strength(min(concrete.f_ck, anchorage.MOST_BOND)) / MEGA
+    yield Step("concrete below the axis of the bar", f"h_b,{n}", bar.below, "m", clause="Figure 8.2")
+    words = "factor of good bond" if good else "factor of poor bond"
+    yield Step(words, f"eta_1,{n}", 1.0 if good else anchorage.POOR, clause="8.4.2(2)")
+    formula = f"min(1, (132 - 1000 * phi_{n}) / 100)"
+    eta_2 = min(1.0, (132 - bar.diameter * 1e3) / 100)
+    yield Step("factor of the diameter", f"eta_2,{n}", eta_2, "", formula, "8.4.2(2)")
+    yield Step("mean tensile strength, of C60/75 at most", "f_ctm", f_ctm, "MPa", clause="Table 3.1")
+    yield Step("partial factor", "gamma_C", concrete.gamma_c, clause="2.4.2.4")
+    formula = f"2.25 * eta_1,{n} * eta_2,{n} * {anchorage.CHARACTERISTIC:g} * f_ctm / gamma_C"
+    yield Step("bond stress", f"f_bd,{n}", f_bd, "MPa", formula, "8.4.2(2), 8.2")
+    yield Step("design yield strength", "f_yd", bars.f_yd / MEGA, "MPa", clause="3.2.7(2)")
+    formula = f"phi_{n} / 4 * f_yd / f_bd,{n}"
+    yield Step("basic anchorage length", f"l_rqd,{n}", basic, "m", formula, "8.4.3(2), 8.3")
+    words = "lesser of the cover and half the clear distance of bars"
+    yield Step(words, f"c_d,{n}", c_d, "m", clause="Figure 8.3")
+    relieves = concrete.annex.cover_relieves
+    formula = f"min(1, max(0.7, 1 - 0.15 * (c_d,{n} - phi_{n}) / phi_{n}))" if relieves else ""
+    alpha_2 = anchorage.cover_factor(concrete, bar.diameter, c_d)
+    yield Step("factor of the cover", f"alpha_2,{n}", alpha_2, "", formula, "Table 8.2")
+    formula = f"max(alpha_2,{n} * l_rqd,{n}, 0.3 * l_rqd,{n}, 10 * phi_{n}, 0.1)"
+    length = anchorage.anchorage_length(concrete, bars, bar.diameter, c_d, good)
+    yield Step("anchorage length", f"l_b,{n}", length, "m", formula, "8.4.4(1), 8.4, 8.6")
 
 
 def _spacing(steel: Reinforcement, thickness: float) -> float:
@@ -99,5 +133,6 @@ RULE = DetailingRule(
     edge_leg=2.0,  # Figure 9.8
     crack_area=crack_area,
     crack_spacing=None,
+    anchorage_steps=anchorage_steps,
     clauses={"anchorage": "8.4.4", "laps": "8.7.3", "shift": "9.2.1.3(2)", "edges": "9.3.1.4"},
 )

@@ -71,10 +71,10 @@ def required_links(v: Array, d: Array, concrete: Concrete, steel: Steel, cover: 
     The cover [m] is that of the longitudinal bars in compression. Where no struts bear, cot theta is 1, the area inf.
     """
     z = lever(concrete, d, cover)
-    return links_by_struts(v, z, concrete.strut, steel.f_yd, _flattest(np.asarray(v), z, concrete))
+    return links_by_struts(v, z, concrete.strut, steel.f_yd, flattest(np.asarray(v), z, concrete))
 
 
-def _flattest(v: Array, z: Array, concrete: Concrete) -> Array:
+def flattest(v: Array, z: Array, concrete: Concrete) -> Array:
     """Return the largest cot theta (n,) by 6.2.3(2), with the concrete's share by friction in cracks, if any."""
     annex = concrete.annex
     if not annex.crack_friction:

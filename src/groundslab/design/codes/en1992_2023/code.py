@@ -86,7 +86,7 @@ EN1992_2023 = DesignCode(
         flange=FlangeRule(beams.flange_bars, beams.flange_limit, "8.2.5", beams.flange_steps),
         cracks=beams.cracks,
     ),
-    walls=WallRule(None, walls.most, "8.2.3, 8.44"),
+    walls=WallRule(None, walls.most, walls.steps, "8.2.3, 8.44"),
     bars=bars.checks,
     remarks=remarks,
 )

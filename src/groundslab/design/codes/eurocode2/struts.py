@@ -8,16 +8,20 @@ What concrete the struts have, and how flat they may be, each generation says it
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
 
 from groundslab.arrays import Array, Flags
+from groundslab.design.rules.calculation import Step
 
 #: Lever arm over effective depth (EN 1992-1-1:2004 6.2.3(1), EN 1992-1-1:2023 8.2.1(3)).
 LEVER = 0.9
 #: Links, with forces per width in MN/m, stresses in MPa and lengths in m.
 LINKS = "v_Ed / (z * f_ywd * cot) * 10000"
+#: How flat struts are that the concrete bears, w being v_Ed over the most that it bears at 45 degrees.
+SHARE, FLATTEST = "2 * v_Ed / (z * nu_f_cd)", "max(1, min(cot_max, (1 + sqrt(1 - w^2)) / w))"
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,3 +57,13 @@ def links_by_struts(v: Array, z: Array, strut: float, f_ywd: float, flattest: Ar
     borne = (1 + np.sqrt(1 - steepest**2)) / np.maximum(steepest, 1e-12)
     cot = np.clip(borne, 1.0, flattest)
     return Links(np.where(sine > 1, np.inf, v / (z * f_ywd * cot)), cot)
+
+
+def struts_in_steps(v: float, z: float, strut: float, cot: float, clause: str) -> Iterator[Step]:
+    """Yield how flat struts are for a shear force v [N/m], a lever arm z [m] and their strength nu f_cd [Pa].
+
+    What stands above are v_Ed, z, nu_f_cd and cot_max, the largest cot theta.
+    """
+    share = 2 * v / (z * strut)
+    yield Step("shear force over what struts at 45 degrees bear", "w", share, "", SHARE, clause)
+    yield Step("cot theta, the flattest struts that are borne", "cot", cot, "", FLATTEST, clause)

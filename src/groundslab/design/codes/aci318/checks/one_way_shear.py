@@ -17,7 +17,6 @@ from groundslab.design.demands.perimeter_loads import Reach, punching_piles, rea
 from groundslab.design.demands.zones.thicker_zones import zone_forces
 from groundslab.design.rules.calculation import MEGA, Step
 from groundslab.design.rules.shear_demand import ShearDemand
-from groundslab.messages import Message
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.results import Results
 
@@ -52,9 +51,8 @@ def link_distance(steel: Reinforcement, demand: ShearDemand) -> float:
 def steps(steel: Reinforcement, demand: ShearDemand) -> Iterator[Step]:
     """Yield the calculation at a place."""
     concrete, bars = materials(steel)
-    of_cut = ", mean over the cut" if demand.across else ""
     yield from demand.force_steps("v_u", "7.4.3.2" if demand.across else "")
-    yield Step(Message("effective depth{of_cut}", of_cut=of_cut), "d", demand.d, "m")
+    yield from demand.depth_steps(steel)
     yield from concrete_in_shear(concrete, demand.d)
     v_c, clause = demand.without_links / PHI_SHEAR / MEGA, "Table 22.5.5.1 (c), 22.5.5.1.1"
     if demand.rho is None:

@@ -14,13 +14,20 @@ from groundslab.design.codes.aci318.materials import PHI_SHEAR
 from groundslab.design.codes.aci318.materials_of_case import materials
 from groundslab.design.demands import line_properties, perimeter_loads
 from groundslab.design.demands.by_plate import plate_under
-from groundslab.design.demands.perimeter_loads import PerimeterLoads, Places, PunchingForce, PunchingShear
-from groundslab.design.demands.perimeters import Openings, Perimeter, SketchedPerimeter, perimeter
+from groundslab.design.demands.perimeter_loads import (
+    MomentParts,
+    PerimeterLoads,
+    Places,
+    PunchingForce,
+    PunchingShear,
+)
+from groundslab.design.demands.perimeters import Openings, Perimeter, SketchedPerimeter, perimeter_at, surroundings
 from groundslab.design.demands.zones.thicker_zones import zone_forces
 from groundslab.design.demands.zones.thinner_slab import counted, depth_share, thinner_parts
 from groundslab.design.rules.combinations import ultimate_results
 from groundslab.design.rules.demand_errors import error_of
 from groundslab.design.rules.punching import Demands
+from groundslab.design.rules.wall_ends import WallSite
 from groundslab.errors import InputError
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.model.model import Model
@@ -28,6 +35,8 @@ from groundslab.results.results import CombinationResult, Results
 
 #: Why there is no critical section.
 CUT = "its critical section cuts the slab from edge to edge, which is one-way shear"
+#: So many edges end a critical section.
+EDGES = {"edge": 1, "corner": 2}
 #: An opening counts if it is closer than this to the column, over the slab's thickness (22.6.4.3).
 OPENING_REACH = 4.0
 
@@ -55,6 +64,11 @@ class TwoWay:
     beta_e: float | None = None  # by what v_u at an end of a wall is larger than its mean
     line: Perimeter | None = field(default=None, repr=False, compare=False)  # of a column or pile
     pulls: bool = False  # whether a column pulls up, or a pile down
+    parts: MomentParts | None = field(default=None, repr=False, compare=False)  # of the transfer's moments
+    inside: float = 0.0  # area inside [m2]
+    widths: tuple[float, float] | None = None  # of a column or pile, along an edge and across [m]
+    setbacks: tuple[float, ...] = ()  # of the edges that the section ends at [m]
+    wall: WallSite | None = field(default=None, repr=False, compare=False)  # of an end or a corner of walls
 
     @property
     def sketch(self) -> SketchedPerimeter | None:
@@ -74,6 +88,8 @@ class CriticalSection:
     beta: float
     alpha_s: float
     loads: PerimeterLoads
+    widths: tuple[float, float]  # of what is loaded, along an edge and across, else along its own axes [m]
+    setbacks: tuple[float, ...]  # of the edges that it ends at [m]
 
 
 @made_once_by(lambda results, model: (results.plate.nodes, model))
@@ -135,11 +151,13 @@ def section_at(
 
     Its corners are square (22.6.4.1), or those of the shortest one around legs of stirrups (22.6.4.2).
     """
+    from shapely import get_coordinates
+
     footprint = punching.footprint
     openings = openings_of(results, punching)
     try:
-        plate = plate_under(results, *punching.place)
-        line = perimeter(plate, footprint, distance, openings, square=square, near=punching.edges_within(d))
+        around = surroundings(plate_under(results, *punching.place), footprint, distance, openings)
+        line = perimeter_at(around, distance, square=square, near=punching.edges_within(d))
     except InputError as error:
         return str(error)
     if line.cut:
@@ -155,7 +173,13 @@ def section_at(
     center = line_properties.centroid(legs)
     # alpha_s d / b_o with the mean depth, over the whole length
     alpha_s = aci318.ALPHA_S[shape] * (line_properties.total_length(legs) / line.u) ** 2
-    return CriticalSection(d, line, legs, center, footprint.axes, max(sides) / min(sides), alpha_s, loads)
+    course = line_properties.course(line.ring, footprint.axes)
+    frame = course.frame if shape == "edge" else footprint.axes
+    along, across = np.ptp(get_coordinates(footprint.footprint()) @ frame.T, axis=0)
+    ratio, widths = max(sides) / min(sides), (float(along), float(across))
+    # square corners end at an edge where legs that run straight out to it do
+    setbacks = tuple(edge.setback for edge in around.edges[: EDGES.get(shape, 0)])
+    return CriticalSection(d, line, legs, center, footprint.axes, ratio, alpha_s, loads, widths, setbacks)
 
 
 def openings_of(results: CombinationResult, punching: PunchingForce) -> Openings:
@@ -186,6 +210,10 @@ def demand_on(
         punching.place,
         lambda: error_of(results, lambda mesh: _transfer(_shear(mesh, section, punching, steel), section).v_u),
         transfer,
+        parts=shear.parts.along(transfer.axes),
+        inside=section.loads.size,
+        widths=section.widths,
+        setbacks=section.setbacks,
         line=section.line,
         pulls=punching.pulls,
     )

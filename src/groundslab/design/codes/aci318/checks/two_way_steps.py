@@ -5,16 +5,29 @@ Every value is that of the check; formulas stand beside the functions that compu
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 
 from groundslab.design.codes.aci318 import punching as aci318
 from groundslab.design.codes.aci318.checks.laid_links import LaidLinks, laid_links
 from groundslab.design.codes.aci318.checks.two_way_demand import TwoWay, strength, used
-from groundslab.design.codes.aci318.checks.wall_ends import WALL_STRESS
+from groundslab.design.codes.aci318.checks.wall_ends import DISTANCE, WALL_STRESS
 from groundslab.design.codes.aci318.materials import PHI_SHEAR, Concrete, Steel
 from groundslab.design.codes.aci318.materials_of_case import materials
 from groundslab.design.codes.aci318.shear import concrete_in_shear
-from groundslab.design.rules.calculation import MEGA, SAME, Step, punching_force
+from groundslab.design.demands.line_properties import total_length
+from groundslab.design.rules.calculation import (
+    BY_CHORDS,
+    MEGA,
+    Step,
+    counted_length,
+    depth_steps,
+    from_below,
+    length_by_figures,
+    moment_steps,
+    punching_force,
+    width_steps,
+)
 from groundslab.design.rules.punching_links.demand import Support
 from groundslab.messages import Message
 from groundslab.model.design.reinforcement import Reinforcement
@@ -23,22 +36,21 @@ from groundslab.model.design.reinforcement import Reinforcement
 def steps(demand: TwoWay, steel: Reinforcement, support: Support) -> Iterator[Step]:
     """Yield the steps of a demand."""
     concrete, bars = materials(steel)
-    if support == "wall end":
-        words = "shear force of the slab across the critical section"
-        yield Step(words, "V_u", demand.V_u / MEGA, "MN", clause="22.6.4.1")
+    what = support, demand.pulls
+    yield from depth_steps(demand.d, steel.top_axes if from_below(what) else steel.bottom_axes, clause="22.6.2.1")
+    if demand.wall is not None:
+        a = float(DISTANCE[0]) * demand.d
+        whole = "b_o" if math.isclose(demand.b_o, demand.wall.whole(a), rel_tol=BY_CHORDS) else "b_w"
+        yield Step("distance of the critical section from the face", "a", a, "m", f"{DISTANCE[0]:g} * d", "22.6.4.1")
+        yield from demand.wall.course_steps(a, ("d", "a", whole, "b_o"), "22.6.4")
+        yield from demand.wall.force_steps(a, demand.V_u, (whole, "V_u"), "22.6.4.1")
     else:
         inside = demand.force, demand.others, demand.pressure, demand.edge
-        yield from punching_force((support, demand.pulls), ("N_u", "V_u"), inside, demand.V_u, "22.6.4.1")
-    yield Step("effective depth", "d", demand.d, "m", clause="22.6.2.1")
-    thinned = demand.line is not None and demand.b_o < (1 - SAME) * demand.line.u
-    words = (
-        "length of the critical section, less edges and openings, less in thinner slab"
-        if thinned
-        else "length of the critical section, less edges and openings"
-    )
-    yield Step(words, "b_o", demand.b_o, "m", clause="22.6.4")
+        symbols, relieves = ("N_u", "V_u"), steel.line_force_relieves
+        yield from punching_force(what, symbols, inside, demand.inside, demand.V_u, "22.6.4.1", relieves=relieves)
+        yield from _length(demand)
     if demand.transfer is not None:
-        yield from _transfer(demand.transfer)
+        yield from _transfer(demand, demand.transfer, what)
         yield Step("stress", "v_u", demand.v_u / MEGA, "MPa", aci318.FORMULAS["v_u"], "8.4.4.2.3")
     else:
         clause = "DIN EN 1992-1-1/NA Figure NA.6.21.1"
@@ -59,12 +71,28 @@ def steps(demand: TwoWay, steel: Reinforcement, support: Support) -> Iterator[St
         yield from _stirrups(demand, concrete, bars)
 
 
+def _length(demand: TwoWay) -> Iterator[Step]:
+    """Yield the length of the critical section."""
+    line, widths = demand.line, demand.widths
+    assert line is not None
+    assert widths is not None
+    a = float(DISTANCE[0]) * demand.d
+    yield Step("distance of the critical section from the face", "a", a, "m", f"{DISTANCE[0]:g} * d", "22.6.4.1")
+    yield from width_steps(widths, demand.setbacks, "w")
+    whole = total_length(line.whole)
+    formula = length_by_figures(widths, demand.setbacks, ("a", a), whole, square=True, symbols=("w_1", "w_2"))
+    yield from counted_length(whole, formula, ("b_o", demand.b_o), "22.6.4")
+
+
 def _as_laid(demand: TwoWay, links: LaidLinks, bars: Steel) -> Iterator[Step]:
     """Yield what the links or studs that are given carry."""
     F, studs = aci318.FORMULAS, links.given.kind == "studs"
     formula = F["v_cs (s)" if studs else "v_cs"]
     yield Step("stress of the concrete beside them", "v_cs", links.v_c / MEGA, "MPa", formula, "22.6.6.1")
-    yield Step("links given on each perimeter, the least", "A_v", links.A_v * 1e4, "cm2", clause="22.6.7.2, 22.6.8.2")
+    yield Step("diameter of the links given", "d_w", links.given.diameter, "m")
+    yield Step("legs on each perimeter, the fewest", "n_w", links.A_v / links.given.leg_area)
+    formula = "n_w * pi / 4 * d_w^2 * 10000"
+    yield Step("links given on each perimeter", "A_v", links.A_v * 1e4, "cm2", formula, "22.6.7.2, 22.6.8.2")
     yield Step("distance of perimeters, the largest", "s", links.s, "m", clause="22.6.7.2, 22.6.8.2")
     yield Step("strength of links that counts", "f_yt", bars.f_yt / MEGA, "MPa", clause="20.2.2.4")
     yield Step("stress that links carry", "v_s", links.v_s / MEGA, "MPa", F["v_s"], "22.6.7.2, 22.6.8.2")
@@ -92,19 +120,23 @@ def _stirrups(demand: TwoWay, concrete: Concrete, bars: Steel) -> Iterator[Step]
     yield Step("stirrups around it in each of their rows", "A_v", A_v * s * 1e4, "cm2", "A_vs * s", "22.6.7.2")
 
 
-def _transfer(transfer: aci318.Transfer) -> Iterator[Step]:
+def _transfer(demand: TwoWay, transfer: aci318.Transfer, what: tuple[Support, bool]) -> Iterator[Step]:
     """Yield the moments that shear transfers, at the place where v_u is largest."""
+    assert demand.parts is not None
     for n, extent in zip((1, 2), transfer.extents, strict=True):
         yield Step(
             Message("extent of the whole section along axis {n}", n=n), f"b_{n}", float(extent), "m", clause="8.4.2.2.2"
         )
-    parts = zip((1, 2), transfer.moments, transfer.shares, transfer.places, transfer.J, strict=True)
-    for n, moment, share, place, J in parts:
-        words = Message("moment of all forces by their places along axis {n}", n=n)
-        yield Step(words, f"M_{n}", float(moment) / MEGA, "MNm", clause="8.4.4.2.3")
+    for n in (1, 2):
+        yield from moment_steps(n, demand.parts, ("N_u", demand.force), float(transfer.moments[n - 1]), what)
         formula = aci318.FORMULAS[f"gamma_v{n}"]
-        yield Step("share of it that shear transfers", f"gamma_v{n}", float(share), "", formula, "8.4.4.2.2")
-        yield Step(
-            Message("place of the largest stress along axis {n}", n=n), f"c_{n}", float(place), "m", clause="8.4.4.2.3"
-        )
-        yield Step(Message("J_c along axis {n}", n=n), f"J_{n}", float(J), "m4", clause="R8.4.4.2.3")
+        share = float(transfer.shares[n - 1])
+        yield Step("share of it that shear transfers", f"gamma_v{n}", share, "", formula, "8.4.4.2.2")
+        words = Message("place of the largest stress along axis {n}, a corner of the section, from its center", n=n)
+        yield Step(words, f"c_{n}", float(transfer.places[n - 1]), "m", clause="8.4.4.2.3")
+        words = Message("integral over the sides of the square of the distance from the center along axis {n}", n=n)
+        yield Step(words, f"I_{n}", float(transfer.second[n - 1]), "m3", clause="R8.4.4.2.3")
+        words = Message("integral over the sides of the square of the cosine of their angle from axis {n}", n=n)
+        yield Step(words, f"l_{n}", float(transfer.lengths[n - 1]), "m", clause="R8.4.4.2.3")
+        formula = aci318.FORMULAS["J_n"].replace("_n", f"_{n}")
+        yield Step(Message("J_c along axis {n}", n=n), f"J_{n}", float(transfer.J[n - 1]), "m4", formula, "R8.4.4.2.3")

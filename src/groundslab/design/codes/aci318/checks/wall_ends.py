@@ -59,6 +59,7 @@ def _demand(punching: WallPunching) -> TwoWay:
         error=partial(punching.error_of_stress, 0),
         beta_e=site.beta,
         pulls=site.pulls,
+        wall=site,
     )
 
 

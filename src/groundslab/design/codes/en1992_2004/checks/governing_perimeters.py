@@ -30,7 +30,14 @@ from groundslab.design.codes.en1992_2004.perimeters import face_length, openings
 from groundslab.design.demands import line_properties, perimeter_loads
 from groundslab.design.demands.by_plate import plate_under
 from groundslab.design.demands.line_properties import Course
-from groundslab.design.demands.perimeter_loads import LoadsNear, PerimeterLoads, Places, PunchingForce, PunchingShear
+from groundslab.design.demands.perimeter_loads import (
+    LoadsNear,
+    MomentParts,
+    PerimeterLoads,
+    Places,
+    PunchingForce,
+    PunchingShear,
+)
 from groundslab.design.demands.perimeter_shear import PerimeterShear
 from groundslab.design.demands.perimeters import Perimeter, SketchedPerimeter, Surroundings, perimeter_at, surroundings
 from groundslab.design.demands.zones.thicker_zones import ZoneForce, zone_forces
@@ -40,7 +47,7 @@ from groundslab.design.rules.demand_errors import error_of
 from groundslab.design.rules.punching import Demands
 from groundslab.design.rules.punching_beta import beta_by_sectors, beta_of, betas_by_sectors, sector_pieces
 from groundslab.errors import InputError
-from groundslab.model.design.laid_bars import punching_ratio
+from groundslab.model.design.laid_bars import PunchingBars, punching_bars
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.model.model import Model
 from groundslab.results.plate_result import PlateResult
@@ -112,7 +119,7 @@ class _Site:
 
     punching: PunchingForce
     steel: Reinforcement
-    ratio: float  # of the bars in tension, or the most that count
+    bars: PunchingBars | None  # in tension that count, None if none are laid
     d: float  # effective depth [m]
     around: Surroundings | None
     near: LoadsNear | None
@@ -196,24 +203,24 @@ def _site(
     """Return a column or pile on its plate, which may be on one of the thicker zones."""
     plate, footprint, model = plate_under(results, *punching.place), punching.footprint, results.model
     d = punching.depth(results, steel)
-    ratio = _ratio(model, punching, steel, d)
+    bars = _bars(model, punching, steel, d)
     try:
         around = surroundings(plate, footprint, REACH * d, openings(d))
     except InputError as error:
-        return _Site(punching, steel, ratio, d, None, None, (), 0.0, str(error))
+        return _Site(punching, steel, bars, d, None, None, (), 0.0, str(error))
     near = perimeter_loads.loads_near(results, punching, REACH * d)
     thinner = thinner_parts(results, around.footprint, punching.thickness(results), REACH * d)
     on = [zone for zone in zones if set(punching.columns) & set(zone.columns)]
     zone = min(on, key=lambda each: each.footprint.region.area, default=None)
-    return _Site(punching, steel, ratio, d, around, near, thinner, face_length(around, d), "", zone)
+    return _Site(punching, steel, bars, d, around, near, thinner, face_length(around, d), "", zone)
 
 
-def _ratio(model: Model, punching: PunchingForce, steel: Reinforcement, d: float) -> float:
-    """Return rho_l of the bars provided in tension at a column or pile (6.4.4(1)), the most if none are."""
+def _bars(model: Model, punching: PunchingForce, steel: Reinforcement, d: float) -> PunchingBars | None:
+    """Return the bars provided in tension at a column or pile (6.4.4(1)), if any are."""
     if not steel.laid:
-        return en1992.MOST_BARS
+        return None
     face: Literal["bottom", "top"] = "top" if punching.from_below else "bottom"
-    return punching_ratio(model.plate, steel, punching.column, d, model.plates, face)
+    return punching_bars(model.plate, steel, punching.column, d, model.plates, face)
 
 
 def _control(
@@ -242,6 +249,9 @@ def _control(
         loads,
         SketchedPerimeter(line, line.legs, around.center),
         line.legs,
+        d,
+        (float(c_1), float(c_2)),
+        tuple(np.ptp(points @ course.inward.T, axis=0).tolist()),
     )
 
 
@@ -351,14 +361,18 @@ def _demand(results: CombinationResult, site: _Site, face: ControlPerimeter | st
     controls = [control for control in site.controls_at(results, distances) if not isinstance(control, str)]
     stresses = tuple(_stress(results, site, control) for control in controls)
     concrete, bars = materials(site.steel, results.limit_state)
-    ratio = min(site.ratio, en1992.most_bars(concrete, bars))
+    most = en1992.most_bars(concrete, bars)
+    ratio = most if site.bars is None else min(site.bars.ratio(site.d), most)
     v_Rd_c = en1992.resistance_without_links(concrete, site.d, ratio)
     force = float(site.punching.pushing(results)[0])
     at_face = None
     if not isinstance(face, str) and np.isfinite((outer := controls[-1] if controls else face).moduli).all():
         at_face = _face_stress(results, site, face, outer)
     about = site.punching.name, results.combination, results.limit_state, force, site.d
-    return Demand(*about, v_Rd_c, at_face, stresses, ratio, site.punching.pulls, site.punching.place)
+    return Demand(
+        *about, v_Rd_c, at_face, stresses, ratio=ratio, bars=site.bars, pulls=site.punching.pulls,
+        place=site.punching.place,
+    )  # fmt: skip
 
 
 def _with_perimeter(demand: Demand, results: CombinationResult, site: _Site, control: ControlPerimeter) -> Demand:
@@ -394,9 +408,10 @@ def _stress(results: CombinationResult, site: _Site, control: ControlPerimeter) 
         lambda: error_of(results, lambda mesh: _stress(mesh, site, control).v_Ed),
         control,
         (float(turned[0]), float(turned[1])),
-        raised.way,
-        raised.outward,
-        lambda: {} if alone else _other_ways(results, site, control, shear, pushing[1:]),
+        shear.parts.along(control.course.frame),
+        way=raised.way,
+        outward=raised.outward,
+        other_betas=lambda: {} if alone else _other_ways(results, site, control, shear, pushing[1:]),
     )
 
 
@@ -413,10 +428,17 @@ def _face_stress(results: CombinationResult, site: _Site, face: ControlPerimeter
     by_moments = _raised(results, site, outer, moments, 0.0 if alone else force, None if alone else applied)
     beta = None if alone else by_moments.force / force
     raised = stress.V_Ed + by_moments.force if beta is None else beta * stress.V_Ed
+    turned = outer.course.frame @ moments
+    nothing = np.zeros(2)
+    parts = MomentParts(applied, np.array(site.punching.place) - outer.center, *[nothing] * 4)
     return replace(
         stress,
         beta=beta,
         v_Ed=raised / (face.u * site.d),
+        moments=(float(turned[0]), float(turned[1])),
+        parts=parts.along(outer.course.frame),
+        outer=outer,
+        way=by_moments.way,
         error=lambda: error_of(results, lambda mesh: _face_stress(mesh, site, face, outer).v_Ed),
     )
 

@@ -10,10 +10,12 @@ from typing import NamedTuple
 from groundslab.arrays import Array
 from groundslab.design.codes.en1992_2004.punching import outer_perimeter
 from groundslab.design.demands.line_properties import Course
-from groundslab.design.demands.perimeter_loads import PerimeterLoads
+from groundslab.design.demands.perimeter_loads import MomentParts, PerimeterLoads
 from groundslab.design.demands.perimeter_shear import PerimeterShear
 from groundslab.design.demands.perimeters import SketchedPerimeter
+from groundslab.design.rules.wall_ends import WallSite
 from groundslab.messages import Message
+from groundslab.model.design.laid_bars import PunchingBars
 
 #: How far from the face perimeters reach, over the effective depth.
 REACH = 2.0
@@ -47,6 +49,9 @@ class ControlPerimeter:
     loads: PerimeterLoads
     sketch: SketchedPerimeter = field(repr=False, compare=False)
     legs: Array = field(repr=False, compare=False)  # (l, 2, 2): what counts of it [m]
+    depth: float  # effective [m]
+    widths: tuple[float, float]  # of the column or pile along the course's frame [m]
+    sides: tuple[float, ...]  # of it across the edges that a perimeter at a corner runs out to [m]
     sectors: list[tuple[PerimeterShear, ...]] = field(default_factory=list, repr=False, compare=False)
 
     @property
@@ -71,6 +76,8 @@ class Stress:
     error: Callable[[], float | None] = field(repr=False, compare=False)  # of v_Ed [Pa]
     control: ControlPerimeter | None = None  # of a column or pile
     moments: tuple[float, float] = (0.0, 0.0)  # of forces along the perimeter's frame about its center [N m]
+    parts: MomentParts | None = field(default=None, repr=False, compare=False)  # of these moments
+    outer: ControlPerimeter | None = field(default=None, repr=False, compare=False)  # that beta at the face is of
     way: str = "code"  # how beta is found
     outward: float | None = None  # a moment of the column that bends it outwards and decides beta by moments [N m]
     other_betas: Callable[[], Mapping[str, float]] = field(
@@ -91,8 +98,10 @@ class Demand:
     face: Stress | None
     around: tuple[Stress, ...]  # from the face outwards; none where there is no such perimeter on the plate
     ratio: float = 0.0  # of the bars that count
+    bars: PunchingBars | None = None  # that are laid
     pulls: bool = False  # whether a column pulls up, or a pile down
     place: tuple[float, float] = (0.0, 0.0)  # [m]
+    wall: WallSite | None = field(default=None, repr=False, compare=False)  # of an end or a corner of walls
 
     @property
     def sketch(self) -> SketchedPerimeter | None:

@@ -6,6 +6,7 @@ Every value is that of the check; formulas stand beside the functions that compu
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Iterator
 
 from groundslab.design.codes.en1992_2004 import punching as en1992
@@ -29,10 +30,22 @@ from groundslab.design.codes.en1992_2004.checks.punching_demand import (
 )
 from groundslab.design.codes.en1992_2004.materials import Concrete, Steel
 from groundslab.design.codes.en1992_2004.materials_of_case import materials
-from groundslab.design.rules.calculation import MEGA, SAME, Step, punching_force
+from groundslab.design.demands.line_properties import total_length
+from groundslab.design.rules.calculation import (
+    BY_CHORDS,
+    MEGA,
+    SAME,
+    Step,
+    depth_steps,
+    from_below,
+    length_by_figures,
+    moment_steps,
+    punching_force,
+    width_steps,
+)
 from groundslab.design.rules.punching_beta import beta_in_steps, other_betas_in_steps
 from groundslab.design.rules.punching_links.demand import Support
-from groundslab.messages import Message
+from groundslab.messages import Message, Name
 from groundslab.model.design.reinforcement import Reinforcement
 
 #: Where DIN EN 1992-1-1/NA, the one annex with a bound, has the least beta: for slabs and for foundations.
@@ -45,29 +58,30 @@ def steps(demand: Demand, steel: Reinforcement, support: Support) -> Iterator[St
     assert worst is not None
     stress = worst.stress
     concrete, bars = materials(steel, demand.limit_state)
-    if support == "wall end":
-        yield Step("shear force of the slab across the perimeter", "V_Ed", stress.V_Ed / MEGA, "MN", clause="6.4.4(2)")
-    else:
-        inside = demand.force, stress.others, stress.pressure, stress.edge
-        yield from punching_force((support, demand.pulls), ("N_Ed", "V_Ed"), inside, stress.V_Ed, "6.4.4(2), 6.48")
-    yield Step("distance of the perimeter from the face", "a", stress.distance, "m", clause="6.4.4(2)")
-    thinned = stress.control is not None and stress.control.thinned
-    words = (
-        "its length, less edges and openings, less in thinner slab"
-        if thinned
-        else "its length, less edges and openings"
-    )
-    yield Step(words, "u", stress.u, "m", clause="6.4.2")
-    yield Step("effective depth", "d", demand.d, "m", clause="6.4.2(1)")
+    what = support, demand.pulls
+    axes = steel.top_axes if from_below(what) else steel.bottom_axes
+    yield from depth_steps(demand.d, axes, clause="6.4.2(1)")
+    words = "distance of the perimeter from the face, where v_Ed / v_Rd is largest"
+    yield Step(words, "a", stress.distance, "m", clause="6.4.4(2)")
     if stress.control is not None:
-        yield from _beta(stress, stress.control, concrete.annex.least_beta)
+        inside = demand.force, stress.others, stress.pressure, stress.edge
+        size, relieves = stress.control.loads.size, steel.line_force_relieves
+        symbols, clause = ("N_Ed", "V_Ed"), "6.4.4(2), 6.48"
+        yield from punching_force(what, symbols, inside, size, stress.V_Ed, clause, relieves=relieves)
+        yield from _length(stress.control)
+        yield from _beta(stress, stress.control, concrete.annex.least_beta, what, demand.force)
     else:
+        assert demand.wall is not None
+        opened = not math.isclose(stress.u, demand.wall.whole(stress.distance), rel_tol=BY_CHORDS)
+        whole = "u_w" if opened else "u"
+        yield from demand.wall.course_steps(stress.distance, ("d", "a", whole, "u"), "6.4.2")
+        yield from demand.wall.force_steps(stress.distance, stress.V_Ed, (whole, "V_Ed"), "6.4.4(2)")
         yield Step(
             "factor for an end or a corner", "beta", stress.beta or 0.0, clause="DIN EN 1992-1-1/NA Figure NA.6.21.1"
         )
     formula = en1992.FORMULAS["v_Ed by M" if stress.beta is None else "v_Ed"]
     yield Step("stress", "v_Ed", stress.v_Ed / MEGA, "MPa", formula, "6.4.3(3), 6.38")
-    yield from _resistance(demand, stress, concrete)
+    yield from _resistance(demand, stress, concrete, bars)
     yield Step("share used", "eta", demand.used(stress), "", "v_Ed / v_Rd", "6.4.4(2)")
     links = laid_links(demand, stress, steel)
     if stress.v_Ed > demand.resistance(stress) or links is not None:
@@ -76,55 +90,130 @@ def steps(demand: Demand, steel: Reinforcement, support: Support) -> Iterator[St
         yield from _as_laid(demand, stress, steel, links)
     elif stress.v_Ed > demand.resistance(stress):
         yield from _with_links(demand, stress, concrete, bars)
-    if demand.face is not None and concrete.annex.face:
-        yield from _face(demand.face, concrete, demand.d)
+    if demand.face is not None and stress.control is not None and concrete.annex.face:
+        yield from _face(demand.face, stress.control, demand, concrete, what)
 
 
-def _beta(stress: Stress, control: ControlPerimeter, least: float) -> Iterator[Step]:
+def _length(control: ControlPerimeter) -> Iterator[Step]:
+    """Yield what the length of a perimeter is made of."""
+    line = control.sketch.line
+    yield from width_steps(control.widths, line.setbacks)
+    at_corner = control.course.shape == "corner"
+    if at_corner:
+        for n, width in enumerate(control.sides, 1):
+            yield Step(Message("width of what is loaded across edge {n}", n=n), f"w_{n}", width, "m")
+    whole, legs = total_length(control.sketch.line.whole), total_length(control.legs)
+    openings, thinner = whole - legs, legs - control.u
+    less = [
+        (words, symbol, length)
+        for words, symbol, length in (
+            ("what lies between the tangents to openings", "u_o", openings),
+            ("what counts less in thinner slab", "u_t", thinner),
+        )
+        if length > SAME * whole
+    ]
+    symbol = "u_w" if less else "u"
+    widths, names = control.widths, ("c_1", "c_2")
+    if len(control.sides) == 2 and at_corner:
+        widths, names = (control.sides[0], control.sides[1]), ("w_1", "w_2")
+    formula = length_by_figures(widths, line.setbacks, ("a", control.distance), whole, symbols=names)
+    yield Step("length of the perimeter on the slab", symbol, whole, "m", formula, "6.4.2")
+    for words, name, length in less:
+        yield Step(words, name, length, "m", clause="6.4.2(3)" if name == "u_o" else "6.4.4(2)")
+    if less:
+        formula = " - ".join([symbol, *(name for _, name, _ in less)])
+        yield Step("what counts of it", "u", control.u, "m", formula, "6.4.2")
+
+
+def _beta(
+    stress: Stress, control: ControlPerimeter, least: float, what: tuple[Support, bool], force: float
+) -> Iterator[Step]:
     """Yield how beta follows from the moments of all forces inside about the perimeter's center, or else."""
     if stress.way == "code":
-        yield from _beta_by_moments(stress, control, least)
+        yield from _beta_by_moments(stress, control, least, what, ("N_Ed", force), "V_Ed")
     else:
         yield beta_in_steps(stress.way, stress.beta or 0.0, "beta", "6.4.3(6), Figure 6.21N")
     if stress.beta is not None:
         yield from other_betas_in_steps(stress.way, stress.beta, stress.other_betas(), "beta", "6.4.3")
 
 
-def _beta_by_moments(stress: Stress, control: ControlPerimeter, least: float) -> Iterator[Step]:
-    """Yield how beta follows from the moments of all forces inside about the perimeter's center."""
-    shares, moduli = [*map(float, control.shares)], [*map(float, control.moduli)]
+def _beta_by_moments(
+    stress: Stress,
+    control: ControlPerimeter,
+    least: float,
+    what: tuple[Support, bool],
+    own: tuple[str, float],
+    raised: str,
+    of: str = "",
+) -> Iterator[Step]:
+    """Yield how beta follows from the moments of all forces inside about the perimeter's center.
+
+    `own` is the symbol and size of the force that acts at the column [N], `raised` the symbol of what beta raises, and
+    `of` what ends the symbols.
+    """
     bounded = "max(beta_min, {})" if least > 1 else "{}"
-    bound = [Step("least factor of the annex", "beta_min", least, clause=LEAST_BETA)] if least > 1 else []
-    of_both = [
-        (Step(Message("moment of all forces by their places along axis {n}", n=n), f"M_{n}", moment / MEGA, "MNm"),
-         Step("share of it that shear transfers", f"k_{n}", share, clause="Table 6.1"),
-         Step(Message("modulus of the perimeter along axis {n}", n=n), f"W_{n}", W, "m2", clause="6.40"))
-        for n, moment, share, W in zip((1, 2), stress.moments, shares, moduli, strict=True)
-    ]  # fmt: skip
-    if stress.beta is None:
-        yield from (step for axis in of_both for step in axis)
+    bound = [Step("least factor of the annex", "beta_min", least, clause=LEAST_BETA)] if least > 1 and not of else []
+    force = stress.V_Ed if not of else own[1]
+    shares, moduli = [*map(float, control.shares)], [*map(float, control.moduli)]
+    general = en1992.raised(stress.moments, shares, force, control.u, moduli) / force if stress.beta else 1.0
+    corner = control.course.shape == "corner" and stress.beta is not None
+    if corner and not math.isclose(stress.beta or 0.0, max(least, general), rel_tol=SAME):
+        yield Step(
+            "factor for a column at a corner",
+            "beta_0" if of else "beta",
+            stress.beta or 0.0,
+            clause="6.4.3(6), Figure 6.21N",
+        )
         return
-    general = en1992.raised(stress.moments, shares, stress.V_Ed, stress.u, moduli) / stress.V_Ed
-    if math.isclose(stress.beta, max(least, general), rel_tol=SAME):
-        yield from (step for axis in of_both for step in axis)
-        yield from bound
-        formula = bounded.format(en1992.FORMULAS["beta"])
-        yield Step("factor for moments", "beta", stress.beta, "", formula, "6.4.3(3), 6.39, 6.51")
-    elif control.course.shape == "edge":
-        yield from of_both[0]
-        yield Step("share of the perimeter that counts, u_1* / u_1", "s", control.reduced, clause="6.4.3(4)")
-        yield from bound
-        formula = bounded.format(en1992.FORMULAS["beta at an edge"])
-        yield Step("factor for moments along the edge", "beta", stress.beta, "", formula, "6.4.3(4), 6.44")
-    else:
-        yield Step("factor for a column at a corner", "beta", stress.beta, clause="6.4.3(6), Figure 6.21N")
+    edge = stress.beta is not None and not math.isclose(stress.beta, max(least, general), rel_tol=SAME)
+    for n in (1,) if edge else (1, 2):
+        yield from _of_axis(n, stress, control, what, own, of)
+    if stress.beta is None:
+        return
+    name, clause = ("beta at an edge", "6.4.3(4), 6.44") if edge else ("beta", "6.4.3(3), 6.39, 6.51")
+    if edge:
+        yield from _reduced(control, of)
+    yield from bound
+    formula = en1992.FORMULAS[name].replace("V_Ed", raised)
+    if of:
+        formula = re.sub(r"\b([kMW]_[12])\b", rf"\1{of}", formula)
+        formula = re.sub(r"\b([us])\b", rf"\1_{of[1:]}", formula)
+    words = "factor for moments along the edge" if edge else "factor for moments"
+    yield Step(words, "beta_0" if of else "beta", stress.beta, "", bounded.format(formula), clause)
 
 
-def _resistance(demand: Demand, stress: Stress, concrete: Concrete) -> Iterator[Step]:
+def _of_axis(
+    n: int, stress: Stress, control: ControlPerimeter, what: tuple[Support, bool], own: tuple[str, float], of: str
+) -> Iterator[Step]:
+    """Yield the moment along axis n = 1 or 2, the share of it that shear transfers, and the perimeter's modulus."""
+    assert stress.parts is not None
+    yield from moment_steps(n, stress.parts, own, stress.moments[n - 1], what, of)
+    other = 3 - n
+    formula = en1992.FORMULAS["k_n"].replace("c_n", f"c_{n}").replace("c_m", f"c_{other}")
+    share, W = float(control.shares[n - 1]), float(control.moduli[n - 1])
+    yield Step("share of it that shear transfers", f"k_{n}{of}", share, "", formula, "Table 6.1")
+    words = Message("modulus of the perimeter along axis {n}, the integral of the distance from its center", n=n)
+    yield Step(words, f"W_{n}{of}", W, "m2", clause="6.40")
+
+
+def _reduced(control: ControlPerimeter, of: str) -> Iterator[Step]:
+    """Yield the share of a perimeter at an edge that counts for moments across it."""
+    c_1, c_2 = control.widths
+    least = min(1.5 * control.depth, 0.5 * c_2)
+    by_figure = c_1 + 2 * least + math.pi * control.distance
+    length = control.reduced * control.u
+    a, u, s, u_r = (f"{symbol}_{of[1:]}" if of else symbol for symbol in ("a", "u", "s", "u_r"))
+    follows = math.isclose(by_figure, length, rel_tol=BY_CHORDS)
+    formula = f"c_1 + 2 * min(1.5 * d, 0.5 * c_2) + pi * {a}" if follows else ""
+    yield Step("part of the perimeter that counts", u_r, length, "m", formula, "Figure 6.20a")
+    yield Step("its share, u_1* / u_1", s, control.reduced, "", f"{u_r} / {u}", "6.4.3(4)")
+
+
+def _resistance(demand: Demand, stress: Stress, concrete: Concrete, bars: Steel) -> Iterator[Step]:
     """Yield what resists without links."""
     yield Step("strength of the concrete", "f_ck", concrete.f_ck_shear / MEGA, "MPa", clause="Table 3.1")
     yield Step("partial factor", "gamma_C", concrete.gamma_c, clause="2.4.2.4")
-    yield Step("ratio of bars in tension that counts", "rho_l", demand.ratio, clause="6.4.4(1)")
+    yield from _bars(demand, concrete, bars)
     yield Step("factor of size", "k", en1992.size_factor(demand.d), "", en1992.FORMULAS["k"], "6.4.4(1)")
     yield Step("C_Rd,c gamma_C of the annex", "C", concrete.annex.c_rd_c_punching, clause="6.4.4(1)")
     yield Step("least factor of the annex", "v_min", en1992.least_factor(concrete, demand.d), clause="6.2.2(1), 6.3N")
@@ -133,6 +222,25 @@ def _resistance(demand: Demand, stress: Stress, concrete: Concrete) -> Iterator[
     resistance = demand.resistance(stress) / MEGA
     assert REACH == 2.0
     yield Step("resistance at a", "v_Rd", resistance, "MPa", en1992.FORMULAS["v_Rd"], "6.4.4(2), 6.50")
+
+
+def _bars(demand: Demand, concrete: Concrete, bars: Steel) -> Iterator[Step]:
+    """Yield the ratio of bars in tension that counts."""
+    most, formula = en1992.most_bars(concrete, bars), f"{en1992.MOST_BARS:g}"
+    limit = concrete.annex.rho_strength
+    if limit * concrete.f_cd / bars.f_yd < en1992.MOST_BARS:
+        yield Step("design strength of the concrete", "f_cd", concrete.f_cd / MEGA, "MPa", clause="3.1.6(1)")
+        yield Step("design yield strength", "f_yd", bars.f_yd / MEGA, "MPa", clause="3.2.7(2)")
+        formula = f"{limit:g} * f_cd / f_yd"
+    yield Step("largest ratio of bars that counts", "rho_max", most, "", formula, "6.4.4(1)")
+    if demand.bars is None:
+        yield Step("ratio of bars in tension, none being laid the largest", "rho_l", demand.ratio, "", "rho_max")
+        return
+    for axis, area in zip("xy", demand.bars, strict=True):
+        words = Message("bars along {axis}, mean over the width and 3 d on each side", axis=Name(axis))
+        yield Step(words, f"A_{axis}", area * 1e4, "cm2/m", clause="6.4.4(1)")
+    formula = "min(rho_max, sqrt(A_x * A_y) / (10000 * d))"
+    yield Step("ratio of bars in tension that counts", "rho_l", demand.ratio, "", formula, "6.4.4(1)")
 
 
 def _most(demand: Demand, stress: Stress, concrete: Concrete) -> Iterator[Step]:
@@ -156,13 +264,23 @@ def _as_laid(demand: Demand, stress: Stress, steel: Reinforcement, links: LaidLi
     given = steel.links_at(demand.name)
     assert given is not None
     yield from _strength_of_links(demand, materials(steel, demand.limit_state)[1])
+    yield Step("diameter of the links given", "phi_w", given.diameter, "m")
+    legs = links.A_sw / given.leg_area
+    area, clause = "n_w * pi / 4 * phi_w^2 * 10000", "6.4.5(1)"
     if links.alone:
-        words = "links given: of both inner perimeters, or of a further one over its share if that is less"
-        yield Step(words, "A_sw", links.A_sw * 1e4, "cm2", clause="6.4.5(1) of the annex")
+        words = "legs of both inner perimeters, or of a further one over its share if that is less"
+        yield Step(words, "n_w", legs, clause="6.4.5(1) of the annex")
+        yield Step("links that count", "A_sw", links.A_sw * 1e4, "cm2", area, "6.4.5(1) of the annex")
     else:
-        yield Step("links given on each perimeter, the least", "A_sw", links.A_sw * 1e4, "cm2", clause="6.4.5(1)")
-        words = "perimeters of links that count, at most 1.5 d / s_r and not beyond a"
-        yield Step(words, "n_s", links.rows, clause="6.4.5(1)")
+        yield Step("legs on each perimeter, the fewest", "n_w", legs)
+        yield Step("links given on each perimeter", "A_sw", links.A_sw * 1e4, "cm2", area, clause)
+        s_r = given.apart or materials(steel, demand.limit_state)[0].annex.link_rows[1] * demand.d
+        yield Step("distance of perimeters, the largest", "s_r", s_r, "m", clause=clause)
+        yield Step("distance of the innermost one from the face", "a_F", given.distances[0], "m", clause=clause)
+        by_clause = en1992.links_that_count(stress.distance, given.distances[0], s_r, demand.d)
+        formula = en1992.FORMULAS["n_s"] if math.isclose(links.rows, by_clause) else ""
+        words = "perimeters of links that count, no more than are given"
+        yield Step(words, "n_s", links.rows, "", formula, clause)
     formula = en1992.FORMULAS["v_Rd,cs alone" if links.alone else "v_Rd,cs"]
     yield Step("resistance with the links given", "v_Rd,cs", links.resistance / MEGA, "MPa", formula, "6.4.5(1), 6.52")
     yield Step("share of it that is used", "eta_s", stress.v_Ed / links.resistance, "", "v_Ed / v_Rd,cs", "6.4.5(1)")
@@ -184,8 +302,10 @@ def _with_links(demand: Demand, stress: Stress, concrete: Concrete, bars: Steel)
     else:
         first = concrete.annex.link_rows[0] * demand.d
         count = en1992.links_that_count(stress.distance, first, s_r, demand.d)
+        formula = f"{concrete.annex.link_rows[0]:g} * d"
+        yield Step("distance of the innermost links from the face, at most", "a_F", first, "m", formula, "9.4.3(4)")
         words = "perimeters of links that count, at most 1.5 d / s_r and not beyond a"
-        yield Step(words, "n_s", count, clause="6.4.5(1)")
+        yield Step(words, "n_s", count, "", en1992.FORMULAS["n_s"], "6.4.5(1)")
         A_sw = en1992.links_per_perimeter(stress.v_Ed, demand.resistance(stress), stress.u, demand.d, count, bars.f_yd)
         formula = en1992.FORMULAS["A_sw"]
         yield Step("vertical links on each perimeter", "A_sw", A_sw * 1e4, "cm2", formula, "6.4.5(1), 6.52")
@@ -229,18 +349,38 @@ def _beyond(beyond: Outer, last: Stress) -> Iterator[Step]:
     yield Step("its distance", "a_out", beyond.distance, "m", "a_l + max(u_out - u_l, 0) / g", "6.4.5(4)")
 
 
-def _face(face: Stress, concrete: Concrete, d: float) -> Iterator[Step]:
+def _face(
+    face: Stress, control: ControlPerimeter, demand: Demand, concrete: Concrete, what: tuple[Support, bool]
+) -> Iterator[Step]:
     """Yield the stress at the face and what the concrete bears there."""
-    yield Step("force that punches at the face", "V_Ed,0", face.V_Ed / MEGA, "MN", clause="6.4.5(3)")
-    yield Step("perimeter of the face that counts", "u_0", face.u, "m", clause="6.4.5(3)")
+    assert face.outer is not None
+    signs = ("-", "+") if from_below(what) else ("+", "-")
+    yield Step("other loads on the column's area", "N_o,0", face.others / MEGA, "MN")
+    yield Step("pressure of the ground below it", "N_p,0", face.pressure / MEGA, "MN")
+    without = demand.force + (face.others - face.pressure) * (-1.0 if from_below(what) else 1.0)
+    formula = f"N_Ed {signs[0]} N_o,0 {signs[1]} N_p,0"
+    follows = abs(without - face.V_Ed) <= SAME * max(abs(without), demand.force)
+    yield Step(
+        "force that punches at the face", "V_Ed,0", face.V_Ed / MEGA, "MN", formula if follows else "", "6.4.5(3)"
+    )
+    formula = _face_by_clause(face, control, demand.d)
+    yield Step("perimeter of the face that counts", "u_0", face.u, "m", formula, "6.4.5(3)")
+    outer = face.outer
+    yield Step("distance of the outermost perimeter, about which moments count", "a_R", outer.distance, "m")
+    yield Step("its length", "u_R", outer.u, "m", clause="6.4.2")
+    own = "N_Ed", demand.force
     if face.beta is None:
-        added = face.v_Ed * face.u * d - face.V_Ed
-        words = "what the column's own moments about the outermost perimeter's center add"
-        yield Step(words, "V_M,0", added / MEGA, "MN", clause="6.4.5(3)")
+        yield from _beta_by_moments(face, outer, 1.0, what, own, "N_Ed", ",R")
+        formula = "sqrt((k_1,R * M_1,R * u_R / W_1,R)^2 + (k_2,R * M_2,R * u_R / W_2,R)^2)"
+        added = face.v_Ed * face.u * demand.d - face.V_Ed
+        yield Step("what the column's own moments add", "V_M,0", added / MEGA, "MN", formula, "6.4.5(3)")
         formula = "(V_Ed,0 + V_M,0) / (u_0 * d)"
     else:
-        words = "factor for the column's own force and moments about the outermost perimeter's center"
-        yield Step(words, "beta_0", face.beta, clause="6.4.5(3)")
+        if face.way == "code":
+            least = concrete.annex.least_beta
+            yield from _beta_by_moments(face, outer, least, what, own, "N_Ed", ",R")
+        else:
+            yield beta_in_steps(face.way, face.beta, "beta_0", "6.4.3(6), Figure 6.21N")
         formula = "beta_0 * V_Ed,0 / (u_0 * d)"
     yield Step("stress at the face", "v_Ed,0", face.v_Ed / MEGA, "MPa", formula, "6.4.5(3)")
     a, b, c = concrete.annex.nu
@@ -249,3 +389,20 @@ def _face(face: Stress, concrete: Concrete, d: float) -> Iterator[Step]:
     v_Rd_max = (en1992.max_resistance(concrete) or 0.0) / MEGA
     yield Step("largest resistance", "v_Rd,max", v_Rd_max, "MPa", formula, "6.4.5(3), 6.2.2(6)")
     yield Step("share used at the face", "eta_0", face.v_Ed / MEGA / v_Rd_max, "", "v_Ed,0 / v_Rd,max", "6.4.5(3)")
+
+
+def _face_by_clause(face: Stress, control: ControlPerimeter, d: float) -> str:
+    """Return the formula of u_0 by 6.4.5(3), if one has it: inside, at an edge along axis 1, or at a corner.
+
+    The perimeter that governs says which edges are near, and how far the face is from them.
+    """
+    c_1, c_2 = control.widths
+    setbacks = [max(setback, 0.0) for setback in control.sketch.line.setbacks]
+    s, names = sum(setbacks), [f"s_{n}" for n in range(1, len(setbacks) + 1)]
+    whole = {"2 * (c_1 + c_2)": 2 * (c_1 + c_2), "pi * c_1": math.pi * c_1}
+    by_edges = {
+        1: {"c_1 + 2 * s_1 + min(3 * d, 2 * c_2)": c_1 + 2 * s + min(3 * d, 2 * c_2)},
+        2: {" + ".join([*names, "min(3 * d, w_1 + w_2)"]): s + min(3 * d, sum(control.sides))},
+    }
+    candidates = by_edges.get(len(setbacks), {}) | whole
+    return next((formula for formula, u in candidates.items() if math.isclose(u, face.u, rel_tol=BY_CHORDS)), "")

@@ -18,7 +18,7 @@ from groundslab.design.codes.en1992_2004.materials_of_case import materials
 from groundslab.design.codes.en1992_2004.perimeters import openings, share_of_thinner
 from groundslab.design.rules.punching import Demands
 from groundslab.design.rules.wall_ends import WallPunching, punching_walls
-from groundslab.model.design.laid_bars import punching_ratio
+from groundslab.model.design.laid_bars import PunchingBars, punching_bars
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.results import Results
 
@@ -41,21 +41,20 @@ def wall_demands(combined: Results) -> Demands[Demand]:
     model = combined.model
     punching = [*at_ends(combined, steel)]
     sites = {(at_end.site.end.name, at_end.site.pulls): at_end.site for at_end in punching}
-    ratios = {
-        key: punching_ratio(model.plate, steel, site.column, site.d, model.plates, site.face)
-        if steel.laid
-        else en1992.MOST_BARS
+    bars = {
+        key: punching_bars(model.plate, steel, site.column, site.d, model.plates, site.face) if steel.laid else None
         for key, site in sites.items()
     }
-    demands = [_demand(at_end, steel, ratios[at_end.site.end.name, at_end.site.pulls]) for at_end in punching]
+    demands = [_demand(at_end, steel, bars[at_end.site.end.name, at_end.site.pulls]) for at_end in punching]
     return Demands({(demand.combination, demand.name): demand for demand in demands})
 
 
-def _demand(punching: WallPunching, steel: Reinforcement, ratio: float) -> Demand:
-    """Return the demand at an end or a corner in a combination, with a ratio of bars."""
+def _demand(punching: WallPunching, steel: Reinforcement, laid: PunchingBars | None) -> Demand:
+    """Return the demand at an end or a corner in a combination, with the bars that are laid there."""
     site, results = punching.site, punching.results
     concrete, bars = materials(steel, results.limit_state)
-    ratio = min(ratio, en1992.most_bars(concrete, bars))
+    most = en1992.most_bars(concrete, bars)
+    ratio = most if laid is None else min(laid.ratio(site.d), most)
     v_Rd_c = en1992.resistance_without_links(concrete, site.d, ratio)
     lines, v = site.perimeters, punching.v
     around = tuple(
@@ -67,4 +66,7 @@ def _demand(punching: WallPunching, steel: Reinforcement, ratio: float) -> Deman
     )  # fmt: skip
     force = float(punching.V[-1])
     about = site.end.name, results.combination, results.limit_state, force, site.d
-    return Demand(*about, v_Rd_c, None, around, ratio, site.pulls, site.end.place)
+    return Demand(
+        *about, v_Rd_c, None, around, ratio=ratio, bars=laid, pulls=site.pulls, place=site.end.place,
+        wall=site,
+    )  # fmt: skip

@@ -32,7 +32,7 @@ from groundslab.design.demands.zones.thinner_slab import (
     thinner_parts,
 )
 from groundslab.errors import InputError
-from groundslab.model.design.laid_bars import punching_ratio
+from groundslab.model.design.laid_bars import PunchingBars, punching_bars
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.plate_result import PlateResult
 from groundslab.results.results import CombinationResult
@@ -56,7 +56,8 @@ class CriticalSection:
     d: float  # d_v [m]
     out: float  # d_v,out of the outermost links [m]
     thickness: float  # [m]
-    ratio: float  # of the bars in tension, or the most that count
+    bars: PunchingBars | None  # in tension that count, None if none are laid
+    footprint: Array  # (k, 2): places around what is loaded [m]
     line: Perimeter
     legs: Array  # (l, 2, 2): what counts at d_v / 2 [m]
     b_05: float  # length that counts there, in thinner slab by the depth [m]
@@ -72,6 +73,11 @@ class CriticalSection:
     lines: tuple[MomentLine, ...]
 
     @property
+    def ratio(self) -> float:
+        """Return the ratio of bars in tension that counts."""
+        return en1992.MOST_BARS if self.bars is None else min(self.bars.ratio(self.d), en1992.MOST_BARS)
+
+    @property
     def sketch(self) -> SketchedPerimeter:
         """Return what a sketch of it shows."""
         return SketchedPerimeter(self.line, self.legs, self.place)
@@ -81,6 +87,12 @@ class CriticalSection:
         """Return the axes (2, 2) of eccentricities: along and across an edge; at a corner across both edges."""
         corner = self.course.shape == "corner" and len(self.course.inward) == 2
         return self.course.inward if corner else self.course.frame
+
+    @property
+    def sides(self) -> tuple[float, float]:
+        """Return the widths of what is loaded along its axes [m]."""
+        along, across = np.ptp(self.footprint @ self.axes.T, axis=0)
+        return float(along), float(across)
 
     @property
     def widths(self) -> tuple[float, float]:
@@ -115,6 +127,8 @@ def critical_section(
     results: CombinationResult, punching: PunchingForce, steel: Reinforcement
 ) -> CriticalSection | str:
     """Return the critical section at d_v / 2 from a column's or pile's faces, or why there is none."""
+    from shapely import get_coordinates
+
     plate, footprint, model = plate_under(results, *punching.place), punching.footprint, results.model
     d = punching.depth(results, steel)
     try:
@@ -131,10 +145,10 @@ def critical_section(
     reach = perimeter_loads.reach_of(line, d)
     thinner = thinner_parts(results, around.footprint, punching.thickness(results), reach)
     weighted = counted(legs, thinner, depth_share, en1992.DISTANCE * d, d)
-    ratio = en1992.MOST_BARS
+    bars = None
     if steel.laid:
         side: Literal["bottom", "top"] = "top" if punching.from_below else "bottom"
-        ratio = punching_ratio(model.plate, steel, punching.column, d, model.plates, side)
+        bars = punching_bars(model.plate, steel, punching.column, d, model.plates, side)
     near = perimeter_loads.loads_near(results, punching, reach)
     course, center = line_properties.course(line.ring, around.axes), line_properties.centroid(weighted)
     chain = max(line_properties.chains(line.whole), key=len)
@@ -144,7 +158,8 @@ def critical_section(
         d=d,
         out=d - sum(compressed) / 2,
         thickness=punching.thickness(results),
-        ratio=ratio,
+        bars=bars,
+        footprint=get_coordinates(around.footprint),
         line=line,
         legs=legs,
         b_05=total_length(weighted),

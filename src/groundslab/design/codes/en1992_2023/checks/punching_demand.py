@@ -15,7 +15,14 @@ from groundslab.design.codes.en1992_2023.materials_of_case import materials
 from groundslab.design.codes.en1992_2023.shear import minimum_resistance
 from groundslab.design.demands import perimeter_loads
 from groundslab.design.demands.by_plate import plate_under
-from groundslab.design.demands.perimeter_loads import PerimeterLoads, Places, PunchingForce, PunchingShear
+from groundslab.design.demands.line_properties import total_length
+from groundslab.design.demands.perimeter_loads import (
+    MomentParts,
+    PerimeterLoads,
+    Places,
+    PunchingForce,
+    PunchingShear,
+)
 from groundslab.design.demands.perimeter_shear import PerimeterShear, contraflexure
 from groundslab.design.demands.perimeters import SketchedPerimeter
 from groundslab.design.demands.zones.thicker_zones import zone_forces
@@ -28,6 +35,8 @@ from groundslab.design.rules.punching_beta import (
     betas_by_sectors,
     sector_pieces,
 )
+from groundslab.design.rules.wall_ends import WallSite
+from groundslab.model.design.laid_bars import PunchingBars
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.model.model import Model
 from groundslab.results.plate_result import PlateResult
@@ -72,6 +81,12 @@ class Punching:
     concentrated: bool = False  # whether a large force acts close by
     pulls: bool = False  # whether a column pulls up, or a pile down
     way: str = "code"  # how beta_e is found
+    bars: PunchingBars | None = None  # that are laid
+    parts: MomentParts | None = field(default=None, repr=False, compare=False)  # of moments along the section's axes
+    inside_links: tuple[float, float] = (0.0, 0.0)  # other loads and pressure up to the perimeter [N]
+    gradient_length: float = 0.0  # of the perimeter at d_v / 2 that k_pb is of, not less in thinner slab [m]
+    inside: float = 0.0  # area up to 0.67 d_v from the face [m2]
+    wall: WallSite | None = field(default=None, repr=False, compare=False)  # of an end or a corner of walls
     other_betas: Callable[[], Mapping[str, float]] = field(default=dict, repr=False, compare=False)  # by other ways
 
     @property
@@ -160,6 +175,7 @@ def _demand(
     (beta_e, e_or_M, turned), way = _beta(results, section, punching, shear, steel)
     concentrated = _concentrated(results, section, punching, others, shear.V)
     a_p = _contraflexure(results, section, punching)
+    linked = _shear(results, section.inside, section, punching, steel)
     tau_min = float(minimum_resistance(concrete, bars, section.d))
     stress = partial(_stress, section=section, punching=punching, steel=steel, concentrated=concentrated)
 
@@ -183,11 +199,16 @@ def _demand(
         b_05=section.b_05,
         b_0=section.b_0,
         k_pb=section.k_pb,
-        ratio=min(section.ratio, en1992.MOST_BARS),
+        ratio=section.ratio,
+        bars=section.bars,
+        parts=shear.parts.along(section.axes),
+        inside=section.relieved.size,
+        gradient_length=total_length(section.legs),
         a_pd=en1992.depth_by_contraflexure(a_p, section.d),
         a_p=a_p,
         V_Ed=shear.V,
-        V_links=_shear(results, section.inside, section, punching, steel).V,
+        V_links=linked.V,
+        inside_links=(linked.others, linked.pressure),
         beta_e=beta_e,
         tau_Ed=stress(results),
         of_analysis=_of_analysis(results, section, punching),

@@ -21,7 +21,7 @@ from groundslab.design.demands.perimeters import Openings
 from groundslab.design.demands.wall_perimeters import course
 from groundslab.design.rules.punching import Demands
 from groundslab.design.rules.wall_ends import WallPunching, punching_walls
-from groundslab.model.design.laid_bars import punching_ratio
+from groundslab.model.design.laid_bars import punching_bars
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.results import Results
 
@@ -51,9 +51,8 @@ def _demand(punching: WallPunching, steel: Reinforcement, combined: Results) -> 
     # gradients are those of the whole perimeter, without openings
     b_0, whole = (total_length(course(site.area, distance).legs) for distance in (0.0, en1992.DISTANCE * d))
     k_pb, b_05 = en1992.gradient(b_0, whole), float(site.perimeters.u[0])
-    ratio = en1992.MOST_BARS
-    if steel.laid:
-        ratio = min(ratio, punching_ratio(model.plate, steel, site.column, d, model.plates, site.face))
+    bars = punching_bars(model.plate, steel, site.column, d, model.plates, site.face) if steel.laid else None
+    ratio = en1992.MOST_BARS if bars is None else min(bars.ratio(d), en1992.MOST_BARS)
     beta_e = en1992.WALLS[site.end.kind]
     of_force = beta_e / (b_05 * d)
     return Punching(
@@ -82,6 +81,9 @@ def _demand(punching: WallPunching, steel: Reinforcement, combined: Results) -> 
         place=site.end.place,
         error=partial(_error, punching, of_force),
         pulls=site.pulls,
+        bars=bars,
+        wall=site,
+        gradient_length=whole,
     )
 
 
