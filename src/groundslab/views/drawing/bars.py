@@ -11,6 +11,7 @@ import numpy as np
 
 from groundslab.arrays import Array
 from groundslab.design.bars.bar_layout import BarSet, bar_sets
+from groundslab.design.bars.further_links import LaidLinks
 from groundslab.design.bars.positions import U_SHAPE, Position, positions
 from groundslab.design.rules.punching_links.layout import LinkLayout
 from groundslab.messages import Label, Message, Name
@@ -31,7 +32,7 @@ from groundslab.views.drawing.shapes import (
     rings,
 )
 from groundslab.views.tables.bar_quantities import bars as bars_table
-from groundslab.views.tables.bar_quantities import marked_links
+from groundslab.views.tables.bar_quantities import marked_further_links, marked_links
 from groundslab.views.tables.table import Table, in_units
 
 #: The layer with broken lines.
@@ -87,6 +88,8 @@ def draw(model: Model, links: Sequence[LinkLayout] = ()) -> list[Shape]:
         for mark, layout in marked_links(links, listed).items()
         for shape in _links(layout, mark, (x0, x1), h, model.units)
     ]
+    for mark, laid in marked_further_links(model, links, listed).items():
+        shapes += _further_links(laid, mark, h, model.units)
     low = y0 + min(step[1], 0.0) - GAP * h
     return shapes + list(_table(in_units(bars_table(model, links), model.units), model, (x0, low), h))
 
@@ -224,6 +227,15 @@ def _links(layout: LinkLayout, mark: int, within: tuple[float, float], h: float,
     label = label_of_links(layout, mark, units)
     left = max(within[0], min(float(places[:, 0].min()), within[1] - WIDE * h * len(label)))
     yield Text("LINKS", (left, float(places[:, 1].max()) + 0.8 * h), h, label)
+
+
+def _further_links(laid: LaidLinks, mark: int, h: float, units: System) -> Iterator[Shape]:
+    """Yield where links against one-way shear stand, and what links there or of a beam are."""
+    if laid.corners is not None:
+        x0, y0, x1, y1 = laid.corners
+        yield Line("LINKS", np.array([(x0, y0), (x1, y0), (x1, y1), (x0, y1)]), closed=True)
+    label = Message("({mark}) links {bars}", mark=mark, bars=bars_at(laid.diameter, laid.spacing, units))
+    yield Text("LINKS", (laid.place[0], laid.place[1] + 0.4 * h), h, label)
 
 
 def label_of_links(layout: LinkLayout, mark: int, units: System) -> str:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from groundslab.design.bars.further_links import LaidLinks, further_links
 from groundslab.design.bars.positions import MOST_LENGTHS, Position, positions
 from groundslab.design.rules.punching_links.layout import LinkLayout
 from groundslab.messages import Message, joined
@@ -15,6 +16,8 @@ MM = 1e3
 #: What a reader must know of links.
 LINKS_NOTE = "Links are those of the table shear_reinforcement: proposed, vertical legs without hooks."
 
+
+FURTHER_NOTE = "Links of beams are closed, with their inner legs; of them and of legs in the slab hooks are not in it."
 
 #: The layer of links in the table.
 LINKS = "links"
@@ -31,6 +34,8 @@ def bars(model: Model, links: Sequence[LinkLayout] = ()) -> Table:
     listed = positions(model)
     rows = [_row(position, area) for position in listed]
     rows += [_link_row(layout, mark, area) for mark, layout in marked_links(links, listed).items()]
+    further = marked_further_links(model, links, listed)
+    rows += [_further_row(laid, mark, area) for mark, laid in further.items()]
     if rows:
         number, length, mass, share = (sum(float(row[i] or 0) for row in rows) for i in (7, 11, 12, 13))
         rows.append([None, "all layers", *[None] * 5, round(number), None, None, None, length, mass, share])
@@ -53,6 +58,7 @@ def bars(model: Model, links: Sequence[LinkLayout] = ()) -> Table:
             cut=joined((cut, rest), " "),
         ),
         *([LINKS_NOTE] if any(layout.perimeters for layout in links) else []),
+        *([FURTHER_NOTE] if further else []),
         Message(
             "Of a set with more than {most_lengths} different lengths there is one row.", most_lengths=MOST_LENGTHS
         ),
@@ -64,6 +70,20 @@ def marked_links(links: Sequence[LinkLayout], listed: Sequence[Position]) -> dic
     """Return the links that are laid by their marks, which follow those of the bars."""
     laid = (layout for layout in links if layout.perimeters)
     return dict(enumerate(laid, start=len(listed) + 1))
+
+
+def marked_further_links(model: Model, links: Sequence[LinkLayout], listed: Sequence[Position]) -> dict[int, LaidLinks]:
+    """Return the links of beams and against one-way shear by their marks, which follow those against punching."""
+    first = len(listed) + len(marked_links(links, listed)) + 1
+    return dict(enumerate(further_links(model), start=first))
+
+
+def _further_row(laid: LaidLinks, mark: int, area: float) -> list[Cell]:
+    """Return the row of the links of one beam, or of one part of the slab."""
+    return [
+        mark, LINKS, laid.name, None, laid.shape, laid.diameter * MM, laid.spacing * MM, laid.number,
+        laid.length, laid.length, None, laid.total, laid.mass, laid.mass / area,
+    ]  # fmt: skip
 
 
 def _link_row(layout: LinkLayout, mark: int, area: float) -> list[Cell]:
