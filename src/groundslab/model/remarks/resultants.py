@@ -73,12 +73,6 @@ def case_sums(model: Model) -> dict[str, Resultant]:
     return sums
 
 
-def presses_down(model: Model) -> bool:
-    """Return whether any load case of a model as written presses the plates down: one that does not is not finished."""
-    forces = [*case_forces(model).values(), *(each.F for each in case_sums(model).values())]
-    return any(force > 0 for force in forces)
-
-
 def case_forces(model: Model) -> dict[str, float]:
     """Return the sum of the vertical loads of each case on the plates [N], downwards positive, without factors.
 

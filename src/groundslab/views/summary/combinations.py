@@ -93,11 +93,7 @@ def case_lines(combined: Results) -> list[str]:
 
 def refusal_sentences(combined: Results) -> Iterator[str]:
     """Yield in which combinations the foundation fails, and which the program could not solve."""
-    from groundslab.model.remarks.resultants import presses_down
-
-    if combined.without_equilibrium and not presses_down(combined.model):
-        yield "Nothing to judge yet: no load presses the slab down."
-    elif combined.without_equilibrium:
+    if combined.without_equilibrium:
         which = _some_of(combined, combined.without_equilibrium)
         yield Message("FOUNDATION FAILS: no equilibrium{which}.", which=which)
     if combined.unsolved and len(combined.combinations) == 1:

@@ -73,8 +73,8 @@ describe("names that others call", () => {
       ["walls", 0],
     ]);
     expect(pathsOf(["cores", 0])).toEqual([
-      ["loads", 0],
       ["cores", 0],
+      ["loads", 0],
     ]);
   });
 

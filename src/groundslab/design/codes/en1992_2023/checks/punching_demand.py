@@ -11,6 +11,7 @@ import numpy as np
 from groundslab.arrays import Array, made_once, made_once_by
 from groundslab.design.codes.en1992_2023 import punching as en1992
 from groundslab.design.codes.en1992_2023.checks.critical_sections import AVERAGED, CriticalSection, critical_section
+from groundslab.design.codes.en1992_2023.materials import Concrete
 from groundslab.design.codes.en1992_2023.materials_of_case import materials
 from groundslab.design.codes.en1992_2023.shear import minimum_resistance
 from groundslab.design.demands import perimeter_loads
@@ -178,18 +179,10 @@ def _demand(
     linked = _shear(results, section.inside, section, punching, steel)
     tau_min = float(minimum_resistance(concrete, bars, section.d))
     stress = partial(_stress, section=section, punching=punching, steel=steel, concentrated=concentrated)
-
-    def resistance(mesh: CombinationResult) -> float:
-        a_pd = en1992.depth_by_contraflexure(_contraflexure(mesh, section, punching), section.d)
-        return en1992.resistance_without_links(concrete, section.k_pb, section.ratio, a_pd)
-
+    resistance = partial(_without_links, section=section, punching=punching, concrete=concrete)
     tau_Rd_c = resistance(results)
-
-    def error() -> float | None:
-        # contraflexure has an error, too
-        of_used = error_of(results, lambda mesh: stress(mesh) / max(resistance(mesh), tau_min))
-        return scaled(of_used, max(tau_Rd_c, tau_min))
-
+    least = max(tau_Rd_c, tau_min)
+    used = partial(_used, stress=stress, resistance=resistance, tau_min=tau_min)
     return Punching(
         name=punching.name,
         combination=results.combination,
@@ -219,7 +212,7 @@ def _demand(
         others=shear.others,
         supported=shear.supported,
         place=punching.place,
-        error=error,
+        error=lambda: scaled(error_of(results, used), least),
         section=section,
         eccentricities=e_or_M,
         turned=turned,
@@ -228,6 +221,24 @@ def _demand(
         way=way,
         other_betas=lambda: _other_betas(results, section, punching, steel),
     )
+
+
+def _without_links(
+    mesh: CombinationResult, section: CriticalSection, punching: PunchingForce, concrete: Concrete
+) -> float:
+    """Return tau_Rd,c [Pa] of a mesh."""
+    a_pd = en1992.depth_by_contraflexure(_contraflexure(mesh, section, punching), section.d)
+    return en1992.resistance_without_links(concrete, section.k_pb, section.ratio, a_pd)
+
+
+def _used(
+    mesh: CombinationResult,
+    stress: Callable[[CombinationResult], float],
+    resistance: Callable[[CombinationResult], float],
+    tau_min: float,
+) -> float:
+    """Return which part of the resistance without links the stress is; contraflexure has an error, too."""
+    return stress(mesh) / max(resistance(mesh), tau_min)
 
 
 def _shear(
