@@ -138,3 +138,11 @@ def test_nothing_that_is_folded_is_missing_on_paper(monkeypatch: pytest.MonkeyPa
     }
     assert hidden == {"table-checks", "explore"} & hidden
     assert "not printed" not in html
+
+
+def test_national_parameters_are_named_in_one_line() -> None:
+    """Of an annex, with where its sources are listed; recommended values and other codes have none."""
+    german = said(reinforcement={**EN, "annex": "Germany"})
+    assert german.count("National parameters are those of DIN EN 1992-1-1/NA") == 1
+    assert "one source" not in german
+    assert "National parameters" not in said(reinforcement=EN) + said(reinforcement=ACI)
