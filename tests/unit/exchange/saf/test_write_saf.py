@@ -110,7 +110,7 @@ def test_an_example_comes_back(name: str, tmp_path: Path) -> None:
 
 
 def test_a_wall_with_a_door_is_written_by_its_pieces(tmp_path: Path) -> None:
-    """Two walls, and what acts through them as loads along lines, with its force and moments, which come back."""
+    """Three walls, and what acts through them as loads along lines, with its force and moments, which come back."""
     model = gs.Model(
         plate={"name": "S1", "length_x": 8.0, "length_y": 6.0, "thickness": 0.4, "E": 33e9, "nu": 0.2},
         ground={"kind": "pasternak", "k0": 20e6, "k1": 0.0},
@@ -118,10 +118,13 @@ def test_a_wall_with_a_door_is_written_by_its_pieces(tmp_path: Path) -> None:
                 "openings": [{"start": 1.0, "end": 2.0, "height": 2.1}]}],
         cases=[{"name": "G"}],
         loads=[{"kind": "line", "q": 90e3, "q_end": 20e3, "wall": "W", "case": "G"},
-               {"kind": "line moment", "m": 3e3, "wall": "W", "case": "G"}],
+               {"kind": "line moment", "m": 3e3, "wall": "W", "case": "G"},
+               {"kind": "core", "core": "K", "P": 2e6, "M_x": 1e5, "M_y": -3e5, "case": "G"}],
+        cores=[{"name": "K", "walls": ["W"]}],
     )  # fmt: skip
     left = write_model(model, tmp_path / "first.xlsx")
     assert "load 1: written as 4 loads along lines, without the walls through which they act" in left
+    assert "load 3: written as 3 loads along lines, without the walls through which they act" in left
     read = gs.read_saf(tmp_path / "first.xlsx", "S1").model
     assert [wall.edges for wall in read.walls] == [(edge,) for wall in model.walls for piece in wall.pieces
                                                    for edge in piece.edges]  # fmt: skip
