@@ -166,7 +166,7 @@ def test_zones_are_symmetric_where_the_slab_is(forces: tuple[float, float], mirr
 
 
 def test_a_mesh_that_is_not_symmetric_hides_no_symmetry() -> None:
-    """Around a round opening elements have any shape; zones of columns mirror themselves, bars at the opening are held."""
+    """Around a round opening elements have any shape; zones mirror themselves, and the opening holds bars."""
     places = [("A", -2.0, -1.5), ("B", 2.0, -1.5), ("C", -2.0, 1.5), ("D", 2.0, 1.5)]
     plate = {
         "length_x": 7, "length_y": 6, "thickness": 0.4, "E": 33e9, "nu": 0.2,
