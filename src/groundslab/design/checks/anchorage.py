@@ -188,12 +188,7 @@ def _to_ends(
     if not len(inside):
         nothing = np.empty(0), np.empty(0, dtype=bool)
         return inside, nothing, nothing
-    bounds = np.array(region.bounds).reshape(2, 2)
-    low, high = bounds[:, axis]
-    lines = np.repeat(nodes[inside][:, None], 2, axis=1)
-    lines[:, 0, axis], lines[:, 1, axis] = low - 1.0, high + 1.0
-    first_bar, last_bar = bounds[:, 1 - axis] + (OFF_CHORD, -OFF_CHORD)
-    lines[:, :, 1 - axis] = np.clip(lines[:, :, 1 - axis], first_bar, max(first_bar, last_bar))
+    lines = _lines_through(nodes[inside], axis, np.array(region.bounds).reshape(2, 2))
     pieces, which = get_parts(intersection(linestrings(lines), region), return_index=True)
     places, of_piece = get_coordinates(pieces, return_index=True)
     first, last = (
@@ -217,3 +212,12 @@ def _to_ends(
         off = length(intersection(linestrings(beyond), slab)) < AT_EDGE - ROUNDING
         sides.append((np.maximum(sign * (end - nodes[inside][:, axis]), 0.0), np.asarray(off)))
     return inside, sides[0], sides[1]
+
+
+def _lines_through(places: Array, axis: int, bounds: Array) -> Array:
+    """Return lines (k, 2, 2) along an axis through places (k, 2) that go through all of what has bounds (2, 2) [m]."""
+    lines = np.repeat(places[:, None], 2, axis=1)
+    lines[:, :, axis] = bounds[:, axis] + (-1.0, 1.0)
+    first, last = bounds[:, 1 - axis] + (OFF_CHORD, -OFF_CHORD)
+    lines[:, :, 1 - axis] = np.clip(lines[:, :, 1 - axis], first, max(first, last))
+    return lines

