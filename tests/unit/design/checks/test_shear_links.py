@@ -17,6 +17,7 @@ from groundslab.design.rules.shear_demand import ShearDemand
 from groundslab.errors import InputError
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.model.model import Model
+from groundslab.model.plate import Zone
 from groundslab.views.tables.result_tables import tables_of
 from helpers.calculations import follow
 from helpers.solve_once import solve_once
@@ -107,6 +108,18 @@ def test_the_second_generation_needs_attention() -> None:
 def test_thin_slabs_have_none() -> None:
     """Less than 200 mm (9.3.2(1)) links help nothing."""
     found = check(slab(with_links(LAID, {"spacing_x": 0.1, "spacing_y": 0.1}), q=250e3, h=0.19))
+    assert found.status == "fails"
+    assert "too thin" in found.words
+
+
+def test_thin_parts_are_not_hidden_by_thick_ones() -> None:
+    """Where the slab is too thin for links on one side, that side counts, however much more the other one bears."""
+    thin = {"thickness": 0.19, "shape": {"kind": "rectangle", "x": (0.8, 4.0), "y": (-3.0, 3.0)}}
+    wide = AREA | {"x": (-3.9, 3.9)}
+    steel = with_links(LAID, {"shape": wide, "spacing_x": 0.1, "spacing_y": 0.1})
+    model = slab(steel, q=700e3)
+    model = model.replace(plate=model.plate.model_copy(update={"zones": (Zone.model_validate(thin),)}))
+    found = check(model)
     assert found.status == "fails"
     assert "too thin" in found.words
 

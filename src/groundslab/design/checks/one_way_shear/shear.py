@@ -239,7 +239,8 @@ def _worst(
 ) -> Iterator[ShearDemand]:
     """Yield the place that counts with the largest share of what needs no links, if any counts.
 
-    Of places where links stand, and that need them, the one with the largest force over its depth.
+    Of places where links stand, and that need them, the one with the largest force over its depth; before these, one
+    that is too thin for links.
     """
     v, rho, along = read_demand(results, plate, places)
     without_links = rule.resistance(steel, results.limit_state, places.d, rho)
@@ -247,7 +248,8 @@ def _worst(
     if counts.any():
         used = v / without_links
         if links is not None and (used[counts] > 1).any():
-            used = np.where(used > 1, v / places.d, 0.0)
+            thin = np.where(places.thickness < rule.least_thickness, np.inf, 1.0)
+            used = np.where(used > 1, thin * v / places.d, 0.0)
         k = int(np.argmax(np.where(counts, used, -1.0)))
         sizes = float(v[k]), float(without_links[k]), float(places.d[k]), float(places.thickness[k])
         spread = plate is not results.plate
