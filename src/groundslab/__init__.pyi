@@ -41,6 +41,7 @@ from .model.cracking import Cracking as Cracking
 from .model.design.averaging import Averaging as Averaging
 from .model.design.bars import Bars as Bars
 from .model.design.bars import BarZone as BarZone
+from .model.design.beam_links import BeamLinks as BeamLinks
 from .model.design.checks import CheckOff as CheckOff
 from .model.design.checks import Checks as Checks
 from .model.design.detailing import AllowedBars as AllowedBars
@@ -52,6 +53,7 @@ from .model.design.limits import SoilStrength as SoilStrength
 from .model.design.punching_links import PunchingLinks as PunchingLinks
 from .model.design.reinforcement import Reinforcement as Reinforcement
 from .model.design.reinforcement import Restraint as Restraint
+from .model.design.shear_links import ShearLinks as ShearLinks
 from .model.ground import ConstrainedModulus as ConstrainedModulus
 from .model.ground import Continuum as Continuum
 from .model.ground import HalfSpace as HalfSpace

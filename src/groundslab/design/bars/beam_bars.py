@@ -14,7 +14,6 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field, replace
 
 import numpy as np
-from scipy.ndimage import maximum_filter1d
 
 from groundslab.arrays import Array, Flags, made_once
 from groundslab.design.bars.members import Member, Section, StripMember, across, members_of
@@ -105,6 +104,8 @@ def strip_areas(combined: Results, steel: Reinforcement, nodes: Array) -> dict[s
     At both faces half of those for torsion is among them. A node has the most of what is needed up to the next ones, so
     that bars that are enough at nodes are so between them. Elsewhere strips need none.
     """
+    from scipy.ndimage import maximum_filter1d
+
     needs = {layer: np.zeros(len(nodes)) for layer in LAYERS}
     for course in courses(combined, steel):
         if isinstance(course.member, StripMember):

@@ -12,7 +12,6 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Protocol
 
 import numpy as np
-from scipy.ndimage import minimum_filter1d
 
 from groundslab.arrays import Array, Flags, Integers, made_once, made_once_by
 from groundslab.design.demands.beam_supports import Faces, faces_on
@@ -325,6 +324,8 @@ def _thickness(results: CombinationResult) -> dict[str, Array]:
 
     Beside a step it is the lesser one.
     """
+    from scipy.ndimage import minimum_filter1d
+
     return {
         each.name: minimum_filter1d(thickness_along(results, strip_forces(results, each)), 3, mode="nearest")
         for each in results.model.output.beams

@@ -16,8 +16,8 @@ from helpers.paths import EXAMPLES
 pytest.importorskip("openpyxl")
 
 #: Parts that the format has no place for, and those that say nothing of settlements and moments: they are put back.
-NO_PLACE = {"beyond", "boreholes", "building", "contact", "cracking", "ground", "long_term", "reinforcement"}
-SILENT = {"floor", "limits", "mesh", "output", "soil_strength", "report"}
+NO_PLACE = {"beyond", "boreholes", "building", "contact", "cracking", "ground", "long_term", "output", "reinforcement"}
+SILENT = {"floor", "limits", "mesh", "soil_strength", "report"}
 #: What else does not come back as it was, and why; it is put back, too.
 OTHERS = {
     "piled_raft": ("supports", "piles of given stiffness have a gap and a limit"),
@@ -29,8 +29,9 @@ NOT_COMPARED = {
     "neighbours": "two plates; one at a time is read",
 }
 #: Largest differences, relative to the largest value of each field, and of the one example with a round footprint,
-#: whose pressure balances the moment by other chords in place of its circle.
-SAME, ROUND = 1e-9, 2e-5
+#: whose pressure balances the moment by other chords in place of its circle, and with a door, beside which loads of the
+#: wall come as free lines without its thickness.
+SAME, OTHER = 1e-9, {"wind_turbine": 2e-5, "bearing_walls": 1e-3}
 #: Elements along the longer side.
 COARSE = 4
 
@@ -81,7 +82,7 @@ def test_results_are_the_same(name: str, tmp_path: Path) -> None:
     assert sums[0] == sums[1]
     before, after = gs.solve(few(here)), gs.solve(few(there))
     assert len(before) == len(after)
-    tolerance = ROUND if name == "wind_turbine" else SAME
+    tolerance = OTHER.get(name, SAME)
     for (combination, one), other in zip(before.items(), after.values(), strict=True):
         for field in ("settlement", "moment_x", "moment_y"):
             values, others = getattr(one.plate, field), getattr(other.plate, field)
