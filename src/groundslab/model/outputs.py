@@ -19,14 +19,16 @@ from groundslab.schema.fields import Boolean, Choice, Integer, ListOf, Quantity,
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.places import coordinate
 from groundslab.schema.section_fields import Table
+from groundslab.schema.wording import quote
 from groundslab.unit_systems import System
 
 if TYPE_CHECKING:
     from shapely import Polygon
     from shapely.geometry.base import BaseGeometry
 
-#: A strip that is a beam ends at the plate's edges, within such a share of its width.
-AT_EDGE = 0.01
+#: A strip that is a beam ends at the plate's edges, within such a share of its width; what is wider than so many times
+#: its thickness is a slab (EN 1992-1-1 5.3.1(4)).
+AT_EDGE, WIDEST = 0.01, 5.0
 
 
 class Project(Section):
@@ -221,7 +223,7 @@ def check_output(
 
 
 def _check_beams(covered: PlateRegion, strips: tuple[OutputStrip, ...]) -> Iterator[RelativeIssue]:
-    """Find strips that are beams whose axis leaves the plate, or beside which the plate goes on."""
+    """Find strips that are beams whose axis leaves the plate, beside which it goes on, too wide or on each other."""
     from shapely import LineString, union_all
 
     beams = [(position, strip) for position, strip in enumerate(strips) if strip.design == "beam"]
@@ -237,3 +239,23 @@ def _check_beams(covered: PlateRegion, strips: tuple[OutputStrip, ...]) -> Itera
             found, expected = "a beam beside which the plate goes on", "one that reaches from edge to edge"
             hint = 'widen it, give the beams that cross it, too, or design = "plate"'
             yield RelativeIssue(("output", "strips", position, "width"), found, expected, hint)
+        yield from (issue.below(("output", "strips", position)) for issue in _check_beam(covered, strip, beams))
+
+
+def _check_beam(
+    covered: PlateRegion, strip: OutputStrip, beams: list[tuple[int, OutputStrip]]
+) -> Iterator[RelativeIssue]:
+    """Find that a strip is too wide for a beam, or lies on another one along it, so that neither has all forces."""
+    along = int(strip.start[0] == strip.end[0])
+    on_plate = strip.area().intersection(covered.area)
+    across = (on_plate.bounds[3 - along] - on_plate.bounds[1 - along]) if on_plate.area else 0.0
+    thickest = max(slab.thickness for slab in covered.every)
+    if across > WIDEST * thickest * (1 + AT_EDGE):
+        found, expected = f"a beam {across:.4g} m wide", f"at most {WIDEST * thickest:.4g} m, five times the thickness"
+        yield RelativeIssue(("width",), found, expected, 'what is wider is a slab: design = "plate"')
+    for _, other in beams:
+        if other is strip or int(other.start[0] == other.end[0]) != along:
+            continue
+        if strip.area().intersection(other.area()).area > AT_EDGE * strip.width**2:
+            yield RelativeIssue((), f"a beam on the beam {quote(other.name)}", "one that ends where the other begins")
+            return

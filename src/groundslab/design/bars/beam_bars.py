@@ -74,7 +74,12 @@ class BeamNeed:
 
 @made_once
 def courses(combined: Results, steel: Reinforcement) -> list[MemberCourse]:
-    """Return what each beam of concrete, and each strip that is one, needs along it in all ultimate combinations."""
+    """Return what each beam of concrete, and each strip that is one, needs along it in all ultimate combinations.
+
+    None where the code has no rule for beams.
+    """
+    if code_of(steel).beams is None:
+        return []
     return [
         course_of(results, member, steel)
         for member in members_of(combined.model)
@@ -156,6 +161,11 @@ class MemberCourse:
     web: WebNeed
     used: Array  # (p,): of what struts bear
 
+    def legs_apart(self, steel: Reinforcement, diameter: float, legs: float | Array) -> Array:
+        """Return how far legs of links are from each other [m], the outer ones within the lesser cover."""
+        side = 0.0 if steel.cover is None else min(steel.cover)
+        return np.asarray((self.at_d.b - 2 * side - diameter) / (np.asarray(legs) - 1))
+
     @property
     def faces(self) -> tuple[Array, Array]:
         """Return the bars (k,) [m2] at the bottom and the top with half of those for torsion at each."""
@@ -179,11 +189,11 @@ def course_of(results: CombinationResult, member: Member, steel: Reinforcement) 
     at_d = member.section(results, part, steel)
     faces = member.faces(results.model, float(forces.way[-1]))
     V, at_faces = shear_forces(forces, part, faces, float(np.minimum(*at_d.d).max()))
-    own = member.own(results.model, part.way)
-    webs = at_d.webs(V * own, part.torsion * own, released=member.released)
+    twisted = member.twisted(results.model, part.way)
+    webs = at_d.webs(V, part.torsion * twisted, released=member.released)
     web = code.beams.web(steel, state, webs)
     # the shear force at a support must not exceed V_Rd,max (6.2.1(8))
-    strained = webs._replace(V=at_faces * own) if code.beams.struts_at_faces else webs
+    strained = webs._replace(V=at_faces) if code.beams.struts_at_faces else webs
     used = code.beams.web(steel, state, strained).used
     wanted = tuple(np.maximum(each, at_least) for each, at_least in zip(area, least, strict=True))
     return MemberCourse(

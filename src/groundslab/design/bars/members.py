@@ -1,8 +1,8 @@
 """What is designed as a beam: beams and ribs of concrete, and strips of the plate from edge to edge, as grade beams.
 
 A strip has the section forces of the plate over its width, and the plate's section. Within the faces of a column its
-moments are those at the faces, but where the case counts peaks. Where another strip crosses it, shear and torsion count
-up to the other one's edge.
+moments are those at the faces, but where the case counts peaks. Where another strip crosses it, torsion counts up to
+the other one's edge: beyond, it is the other one's bending.
 """
 
 from __future__ import annotations
@@ -98,8 +98,8 @@ class Member(Protocol):
     def faces(self, model: Model, length: float) -> list[Faces]:
         """Return the faces of what bears on it, along its length [m]."""
 
-    def own(self, model: Model, way: Array) -> Flags:
-        """Return where along it (k,) [m] shear and torsion are its own, not those of what crosses it."""
+    def twisted(self, model: Model, way: Array) -> Flags:
+        """Return where along it (k,) [m] torsion is its own, not the bending of what crosses it."""
 
 
 @made_once
@@ -167,8 +167,8 @@ class BeamMember:
         """Return the faces of columns, supports, walls and other beams, and its ends without any."""
         return faces_on(model, self.beam, length)
 
-    def own(self, model: Model, way: Array) -> Flags:  # noqa: ARG002
-        """Return that all along it shear and torsion are its own."""
+    def twisted(self, model: Model, way: Array) -> Flags:  # noqa: ARG002
+        """Return that all along it torsion is its own."""
         return np.ones(len(way), dtype=bool)
 
 
@@ -237,7 +237,7 @@ class StripMember:
                   if not any(face.low - near <= end <= face.high + near for face in faces)]  # fmt: skip
         return sorted(faces, key=lambda face: face.low)
 
-    def own(self, model: Model, way: Array) -> Flags:
+    def twisted(self, model: Model, way: Array) -> Flags:
         """Return where along it (k,) [m] no other strip crosses it."""
         own = np.ones(len(way), dtype=bool)
         for other in model.output.beams:

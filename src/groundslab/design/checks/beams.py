@@ -11,7 +11,6 @@ import numpy as np
 from groundslab.arrays import Array
 from groundslab.design.bars.beam_bars import MemberCourse, course_of, courses
 from groundslab.design.bars.members import StripMember, members_of
-from groundslab.design.bars.proposal.beam_links import legs_apart
 from groundslab.design.codes.registry import code_of
 from groundslab.design.rules.check import DesignCheck, judge_apart
 from groundslab.design.rules.combinations import ultimate_results
@@ -132,7 +131,7 @@ def _links(results: CombinationResult, course: MemberCourse, steel: Reinforcemen
     for given in steel.links_along(course.member.name):
         there = (way >= given.start) & (way <= (np.inf if given.end is None else given.end))
         area[there], legs[there], apart[there] = given.area, given.legs, given.spacing
-        across[there] = legs_apart(course, steel, given.diameter, given.legs)
+        across[there] = course.legs_apart(steel, given.diameter, given.legs)
     needed = course.web.links_of(legs)
     yield _judged(course, way, "links", needed * CM2, area * CM2, "cm2/m", rule.web_clauses)
     if rule.link_distances is not None and area.any():

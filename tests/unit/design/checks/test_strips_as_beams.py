@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import groundslab as gs
+from groundslab.design.bars.beam_bars import courses
 from groundslab.design.bars.members import members_of, strip_forces
 from groundslab.design.checks import DesignCheck, check_design
 from groundslab.design.checks.beams import BARS, LINKS
@@ -199,12 +200,12 @@ def test_shear_across_is_the_plate_s() -> None:
 
     def wide(design: str) -> Model:
         return Model(
-            plate={"length_x": L, "length_y": 4.0, "thickness": H, "E": 33e9, "nu": 0.2},
+            plate={"length_x": L, "length_y": 3.0, "thickness": H, "E": 33e9, "nu": 0.2},
             ground={"kind": "winkler", "k": 40e6},
             cases=[{"name": "G"}],
             loads=[{"kind": "line", "case": "G", "q": 600e3, "points": [(-L / 2, 0.0), (L / 2, 0.0)]}],
             combinations=[{"name": "U", "factors": {"G": 1.35}, "limit_state": "ultimate"}],
-            output={"strips": [{"name": "S", "start": (-L / 2, 0), "end": (L / 2, 0), "width": 4.0, "design": design}]},
+            output={"strips": [{"name": "S", "start": (-L / 2, 0), "end": (L / 2, 0), "width": 3.0, "design": design}]},
             reinforcement=with_links(LAID) if design == "beam" else LAID,
             mesh={"size": 0.5},
         )
@@ -275,6 +276,7 @@ def test_tables_and_figure_have_strips() -> None:
         ({"width": 0.8}, "one that reaches from edge to edge"),
         ({"start": (-4.0, -0.2), "end": (4.0, 0.2), "width": 2.0}, "one along x or along y"),
         ({"end": (5.0, 0.0)}, "one whose axis lies on it"),
+        ({"b": 3.2}, "five times the thickness"),
     ],
 )
 def test_strips_that_are_no_beams(strip: dict[str, Any], expected: str) -> None:
@@ -329,3 +331,30 @@ def test_links_of_ribs_are_checked_where_they_are_given(spacing: float, status: 
     given = ribs.replace(reinforcement=Reinforcement.model_validate(STEEL | {"beam_links": [links]}))
     found = checks(given)[LINKS]
     assert (found.status, found.of) == (status, "R")
+
+
+def test_no_beam_lies_on_another_along_it() -> None:
+    """Each would leave its torsion to the other; they may meet end to end."""
+
+    def halves(end: float) -> Model:
+        parts = [("W", -L / 2, end), ("E", 0.0, L / 2)]
+        strips = [{"name": name, "start": (low, 0), "end": (high, 0), "width": B, "design": "beam"}
+                  for name, low, high in parts]  # fmt: skip
+        return footing(LAID).replace(output={"strips": strips})
+
+    assert len(halves(0.0).output.beams) == 2
+    with pytest.raises(InputError) as refused:
+        halves(1.0)
+    assert "one that ends where the other begins" in str(refused.value)
+
+
+def test_shear_counts_where_beams_cross() -> None:
+    """Up to the faces of columns, however wide the beam across is."""
+    steel = Reinforcement.model_validate(with_links(LAID))
+    cross = {"name": "T", "start": (-1.0, -B / 2), "end": (-1.0, B / 2), "width": 3.0, "design": "beam"}
+    plain = footing(LAID, P=1800e3)
+    crossed = plain.replace(output={"strips": [*plain.output.strips, cross]})
+    of = [next(each for each in courses(solve_once(model), steel) if each.member.name == "S")
+          for model in (plain, crossed)]  # fmt: skip
+    assert (of[0].webs.V == of[1].webs.V).all()
+    assert of[0].webs.V.max() > 0

@@ -7,7 +7,6 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from groundslab.arrays import Array
 from groundslab.design.bars.beam_bars import MemberCourse, courses
 from groundslab.design.codes.registry import code_of
 from groundslab.design.rules.design_code import BeamRule
@@ -60,12 +59,6 @@ def _spacing(
         apart = area / course.web.links_of(np.full(len(course.used), legs))
         if rule.link_distances is not None:
             along, across = rule.link_distances(steel, states[course.combination], course.webs, course.used)
-            apart = np.where(legs_apart(course, steel, diameter, legs) <= across, np.minimum(apart, along), 0.0)
+            apart = np.where(course.legs_apart(steel, diameter, legs) <= across, np.minimum(apart, along), 0.0)
         least = min(least, float(apart.min()))
     return STEP * math.floor(least / STEP + ROUNDING)
-
-
-def legs_apart(course: MemberCourse, steel: Reinforcement, diameter: float, legs: float | Array) -> Array:
-    """Return how far legs of links in a member are from each other [m], the outer ones within the lesser cover."""
-    side = 0.0 if steel.cover is None else min(steel.cover)
-    return np.asarray((course.at_d.b - 2 * side - diameter) / (np.asarray(legs) - 1))

@@ -32,7 +32,7 @@ _NOTE_ON_STRIPS = (
 _STRIPS_NEED = (
     "Bars of strips that are beams are the slab's own, over the strip's width: those along it bear its moments, within "
     "the faces of columns those at the faces, and half of the bars for torsion at each face; links stand across it. "
-    "Where strips cross, shear and torsion count up to the other one's edge."
+    "Where strips cross, torsion counts up to the other one's edge."
 )
 #: Of eccentric beams.
 _OF_AXIAL = (("greatest axial force", "kN"), ("least axial force", "kN"))
