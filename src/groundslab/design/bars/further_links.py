@@ -7,8 +7,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from groundslab.model.design.beam_links import BeamLinks
-from groundslab.model.design.laid_bars import polygon_of
-from groundslab.model.design.reinforcement import Reinforcement
+from groundslab.model.design.laid_bars import covers_of, polygon_of
 from groundslab.model.model import Model
 from groundslab.model.plates.region import get_plate_region
 from groundslab.model.structure.beams import GivenSection, RibSection
@@ -42,11 +41,14 @@ class LaidLinks:
 
 
 def further_links(model: Model) -> Iterator[LaidLinks]:
-    """Yield the links of beams and against one-way shear that a case lays, as long as covers leave of the section."""
+    """Yield the links of beams and against one-way shear that a case lays, as long as covers leave of the section.
+
+    That is of the first plate's thickness; zones of another one are not looked at.
+    """
     steel = model.reinforcement
     if steel is None:
         return
-    covers = _covers(steel)
+    covers = covers_of(steel)
     region = get_plate_region(model.plate, model.plates).area
     for legs in steel.shear_links:
         part = region.intersection(polygon_of(legs.shape.ring()))
@@ -83,11 +85,3 @@ def _size(model: Model, name: str) -> tuple[float, float, float, tuple[float, fl
     edge = beam.edges[len(beam.edges) // 2]
     x, y = ((a + b) / 2 for a, b in zip(edge.start, edge.end, strict=True))
     return beam.length, section.width, section.height + (t if isinstance(section, RibSection) else 0.0), (x, y)
-
-
-def _covers(steel: Reinforcement) -> tuple[float, float]:
-    """Return the covers at the bottom and the top [m]; where only axes are given, the distance of the outer ones."""
-    if steel.cover is not None:
-        return steel.cover
-    axes = min(steel.bottom_axes), min(steel.top_axes)
-    return axes[0], axes[1]

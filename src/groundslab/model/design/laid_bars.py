@@ -149,3 +149,20 @@ def polygon_of(ring: Ring) -> Polygon:
     """Return the polygon inside a ring."""
     x0, x1, y0, y1 = ring.bounds
     return ring.polygon(CHORD * max(x1 - x0, y1 - y0))
+
+
+def covers_of(steel: Reinforcement) -> tuple[float, float]:
+    """Return the covers of the outermost bars at the bottom and the top [m].
+
+    Where only axes are given and no bars, they are the distances of these.
+    """
+    if steel.cover is not None:
+        return steel.cover
+    below, above = (min(_cover_of(steel, f"{face}_{axis}") for axis in "xy") for face in ("bottom", "top"))
+    return below, above
+
+
+def _cover_of(steel: Reinforcement, layer: str) -> float:
+    """Return the cover of a layer's bars [m], the distance of its axis if there are none."""
+    bars = steel.base_bars(layer)
+    return axis_of(steel, layer) - (bars.diameter / 2 if bars is not None else 0.0)

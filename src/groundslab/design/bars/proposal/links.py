@@ -8,8 +8,7 @@ from groundslab.design.rules.combinations import ultimate_results
 from groundslab.design.rules.punching import punching_supports
 from groundslab.design.rules.punching_links.layout import LinkLayout, lay_given_links, lay_links
 from groundslab.model.design.detailing import allowed_bars
-from groundslab.model.design.laid_bars import axis_of
-from groundslab.model.design.reinforcement import Reinforcement
+from groundslab.model.design.laid_bars import covers_of
 from groundslab.results.results import Results
 from groundslab.schema.issues import require
 
@@ -48,7 +47,7 @@ def punching_links(combined: Results) -> tuple[LinkLayout, ...]:
     rule = code_of(steel).punching if steel is not None else None
     if steel is None or rule is None or rule.links is None or not ultimate_results(combined):
         return ()
-    covers = _cover(steel, "bottom"), _cover(steel, "top")
+    covers = covers_of(steel)
     diameters = allowed_bars(steel.proposal, combined.model.units).link_diameters
     return tuple(
         lay_links(demand, diameters, covers)
@@ -57,16 +56,3 @@ def punching_links(combined: Results) -> tuple[LinkLayout, ...]:
         for support in punching_supports(combined)
         for demand in rule.links(combined, steel, support, rule.demands_of(combined, support))
     )
-
-
-def _cover(steel: Reinforcement, face: str) -> float:
-    """Return the cover of the outermost bars of a face [m]; where only axes are given, the distance of their axes."""
-    if steel.cover is not None:
-        return float(steel.cover[face == "top"])
-    return min(_of_layer(steel, f"{face}_{axis}") for axis in "xy")
-
-
-def _of_layer(steel: Reinforcement, layer: str) -> float:
-    """Return the cover of a layer's bars [m], of its axis if there are none."""
-    bars = steel.base_bars(layer)
-    return axis_of(steel, layer) - (bars.diameter / 2 if bars is not None else 0.0)
