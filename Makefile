@@ -3,7 +3,7 @@ PYTHON ?= python3
 VENV   := .venv
 OLDEST := .venv-oldest
 # all but mcp, which asks for newer packages than groundslab itself
-EXTRAS := app cholmod dxf exchange ifc mesh netgen pdf study tables viz
+EXTRAS := app cholmod dxf exchange ifc mesh netgen study tables viz
 TRIAL  := .venv-dist
 BILL   := .venv-bill
 SCRIPTS := $(if $(filter Windows_NT,$(OS)),Scripts,bin)

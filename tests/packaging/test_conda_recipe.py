@@ -16,7 +16,7 @@ RECIPE = ROOT / "packaging" / "conda" / "recipe.yaml"
 if not RECIPE.is_file():
     pytest.skip("an sdist has no recipe", allow_module_level=True)
 #: Names of conda-forge that are not those of pip.
-NAMES = {"gmsh": "python-gmsh", "matplotlib": "matplotlib-base", "netgen-mesher": "netgen"}
+NAMES = {"gmsh": "python-gmsh", "matplotlib": "matplotlib-base", "netgen-mesher": "netgen", "typst": "typst-py"}
 
 
 def asked_for(requirements: list[str]) -> set[str]:

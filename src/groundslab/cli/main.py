@@ -217,7 +217,7 @@ def _describe_report(report: argparse.ArgumentParser) -> None:
     )
     report.add_argument("results", metavar="RESULTS", help="results folder written by groundslab solve")
     report.add_argument("--out", metavar="FILE", help="file to write, a PDF if it ends in .pdf (default: RESULTS.html)")
-    report.add_argument("--pdf", action="store_true", help="make RESULTS.pdf with an installed browser (extra pdf)")
+    report.add_argument("--pdf", action="store_true", help="make RESULTS.pdf, typeset to be printed and archived")
     report.add_argument(
         "--chapters",
         nargs="+",
@@ -268,13 +268,10 @@ def _report(options: argparse.Namespace) -> int:
         found, hint = f"{target}, which is in the folder of the results", "groundslab solve would not replace it then"
         raise InputError([Issue("--out", found, "another folder", hint)])
     report.check(target)
-    with report.start_printer(target) as printer:
-        combined = results_folder.load_results(folder)
-        text, comparison = report.text_of(folder, combined.model), load_comparison(folder)
-        remark, chapters = report.changes_since(folder, combined.model), options.chapters
-        report.write_report(
-            combined, target, text=text, chapters=chapters, comparison=comparison, remark=remark, printer=printer
-        )
+    combined = results_folder.load_results(folder)
+    text, comparison = report.text_of(folder, combined.model), load_comparison(folder)
+    remark, chapters = report.changes_since(folder, combined.model), options.chapters
+    report.write_report(combined, target, text=text, chapters=chapters, comparison=comparison, remark=remark)
     console.print_stderr(f"wrote {target}")
     if remark:
         console.print_stderr(f"note: {remark}")

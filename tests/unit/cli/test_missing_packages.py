@@ -12,8 +12,6 @@ import groundslab
 from groundslab.cli import main
 from groundslab.errors import InputError
 from groundslab.views.files import results_folder
-from groundslab.views.report import html, pdf
-from helpers import synthetic
 from helpers.reactions import write_case
 from helpers.studies import write
 
@@ -38,7 +36,6 @@ def no_work(monkeypatch: pytest.MonkeyPatch) -> None:
 @pytest.mark.parametrize(
     ("package", "arguments", "extra"),
     [
-        ("playwright", ["report", "slab-results", "--pdf"], "pdf"),
         ("xlsxwriter", ["tables", "slab-results"], "tables"),
         ("ezdxf", ["bars", "slab-results"], "dxf"),
         ("openpyxl", ["import-saf", "house.xlsx"], "exchange"),
@@ -73,19 +70,6 @@ def test_a_workbook_of_reactions_needs_its_package(
     told = capsys.readouterr().err
     assert "pip install groundslab[exchange]" in told
     assert "CSV" in told
-
-
-def test_a_missing_browser_is_reported_before_the_page_is_made(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
-    """So it is where Playwright finds no browser to start, which it does while results are read."""
-    pytest.importorskip("playwright")
-    monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr(pdf, "_ways", lambda: iter([{"executable_path": str(tmp_path / "none")}]))
-    monkeypatch.setattr(html, "render_report", lambda *_, **__: pytest.fail("the page was made"))
-    results_folder.save_results(synthetic.results(), tmp_path / "slab-results")
-    assert main.main(["report", "slab-results", "--pdf"]) == 2
-    assert "Edge, Chrome or Chromium" in capsys.readouterr().err
 
 
 def test_without_dask_a_study_leaves_no_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

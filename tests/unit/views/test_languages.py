@@ -7,8 +7,10 @@ import re
 from collections import Counter
 from dataclasses import replace
 from html import unescape
+from pathlib import Path
 
 import pytest
+from pypdf import PdfReader
 from tests.helpers.combinations import few
 from tests.helpers.languages import in_language
 from tests.helpers.paths import EXAMPLES
@@ -19,7 +21,7 @@ from groundslab.languages import LANGUAGES, Language
 from groundslab.results.results import Results
 from groundslab.views import translation
 from groundslab.views.plots import plot
-from groundslab.views.report.html import render_report
+from groundslab.views.report.html import render_report, write_report
 from groundslab.views.summary.terminal import print_summary
 from groundslab.views.tables.result_tables import tables_of
 from groundslab.views.tables.table import WORDS
@@ -65,6 +67,21 @@ CHAPTERS = ["extremes", "pictures", "loads", "tables", "calculations", "certific
 def english(house: Results) -> str:
     """Return the report in English."""
     return render_report(house, chapters=CHAPTERS)
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_paper_has_the_numbers_of_the_page(house: Results, language: Language, tmp_path: Path) -> None:
+    """Each number beside figures stands on paper, as often as on the page, and each result of a calculation."""
+    results = in_language(house, language)
+    page = render_report(results, chapters=CHAPTERS)
+    apart = r'<section class="part noprint".*?</section>|<footer>.*?</footer>|<figure.*?</figure>'
+    printed = re.sub(apart, "", page, flags=re.DOTALL)
+    before, calculations = printed.split('<section id="calculations">')
+    calculations, after = calculations.split('<section id="certificate">')
+    wanted = numbers(words_of(before + after))
+    wanted += numbers(" ".join(re.findall(r'<td class="number">= ([^<]*)<', calculations)))
+    paper = PdfReader(write_report(results, tmp_path / "house.pdf", chapters=CHAPTERS))
+    assert not wanted - numbers("\n".join(leaf.extract_text() for leaf in paper.pages))
 
 
 @pytest.mark.parametrize("language", OTHERS)

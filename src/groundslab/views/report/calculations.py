@@ -5,20 +5,19 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass, replace
 from itertools import groupby
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING, ClassVar, Literal
 
 from groundslab.design.rules.calculation import CONSTANTS, FUNCTIONS, SYMBOL
 from groundslab.messages import Message, Name, joined, words_in
 from groundslab.unit_systems import unit_in
 from groundslab.units import format_number
+from groundslab.views.report.drawings.drawings import Drawing
 from groundslab.views.report.drawings.perimeter_sketch import draw_sketch
 from groundslab.views.report.table_layout import split_symbol
 from groundslab.views.tables.calculations import perimeters
 from groundslab.views.tables.table import Table
 
 if TYPE_CHECKING:
-    from markupsafe import Markup
-
     from groundslab.results.results import Results
     from groundslab.unit_systems import System
 
@@ -29,6 +28,8 @@ _TOKENS = re.compile(
     r"(?P<digits>\d[\d.]*)e(?P<exponent>[-+]\d+)|\^\((?P<power>[^()]+)\)|\^(?P<raised>[\d.]+|[A-Za-z])"
     rf"|(?P<symbol>{SYMBOL.pattern})|(?P<rest>[^^A-Za-z\d]+|[\d.]+(?![\d.e])|.)"
 )
+#: What is said below the sketch of a perimeter.
+SKETCH = "Perimeter that counts, thick; what openings and the limits of straight parts take off, thin. Columns gray."
 #: A decimal point.
 _POINT = re.compile(r"(?<=\d)\.(?=\d)")
 #: How functions and numbers with a name are written, if not by their names.
@@ -56,7 +57,8 @@ class Sheet:
 
     title: str
     lines: tuple[Line, ...]
-    sketch: Markup | None = None
+    sketch: Drawing | None = None
+    block: ClassVar = "sheet"
 
 
 def draw_sheets(combined: Results, table: Table) -> list[Sheet]:
@@ -67,7 +69,7 @@ def draw_sheets(combined: Results, table: Table) -> list[Sheet]:
         if key in sketches:
             label = Message("Perimeter: {title}", title=sheet.title)
             drawn = draw_sketch(combined.solved_model, sketches[key], number, label)
-            sheets.append(replace(sheet, sketch=drawn))
+            sheets.append(replace(sheet, sketch=Drawing(drawn, SKETCH)))
         else:
             sheets.append(sheet)
     return sheets

@@ -1,11 +1,11 @@
-"""What the report says, gathered from a solved model: one value that the template prints."""
+"""What the report says, gathered from a solved model: one value that page and paper print."""
 
 from __future__ import annotations
 
 import hashlib
 from dataclasses import replace
 from functools import cache
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from groundslab._version import __version__
 from groundslab.case import casefile
@@ -22,7 +22,20 @@ from groundslab.views.report import table_layout
 from groundslab.views.report.assumptions import list_assumptions
 from groundslab.views.report.calculations import draw_sheets
 from groundslab.views.report.certificates import list_certificates
+from groundslab.views.report.document import (
+    Bullets,
+    ChapterOfReport,
+    CheckLine,
+    Columns,
+    Figures,
+    Paragraph,
+    Part,
+    Report,
+    SourceText,
+    Viewer,
+)
 from groundslab.views.report.drawings import drawings
+from groundslab.views.report.drawings.signs import draw_signs
 from groundslab.views.report.ground_models import build_chapter
 from groundslab.views.report.input_tables import input_tables
 from groundslab.views.report.table_layout import Cell, TableHeader, TableLayout, drop_empty_columns, headers
@@ -34,18 +47,30 @@ from groundslab.views.tables.result_tables import table_makers, tables_of
 from groundslab.views.translation import translator_of
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator, Mapping, Sequence
+    from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 
     from groundslab.analysis.ground_comparison.comparison import GroundComparison
+    from groundslab.design.rules.check import DesignCheck
     from groundslab.model.outputs import Chapter, Project
     from groundslab.results.results import CombinationResult, Results
     from groundslab.unit_systems import System
+    from groundslab.views.report.document import Block, Verdict
     from groundslab.views.summary.combinations import Entry, Extreme
     from groundslab.views.summary.rows import Row
     from groundslab.views.tables.table import Table
 
 
 _VALUE = ("", "symbol", "#value", "unit", "#error")
+NOTHING = "No combination has a certified result."
+#: What is said above the tables, and above the keys of the case.
+IN_TEXT = (
+    "Numbers have five significant digits; the files tables/*.csv of the results have seven. Of long tables the "
+    "extremes are here."
+)
+KEYS = (
+    "Each key of the case with its value. Quantities are shown with five significant digits in a unit that fits; the "
+    "case's text, folded below and not printed, has all digits."
+)
 #: Titles of the chapters, in their order.
 TITLES: dict[Chapter, str] = {
     "extremes": "Extreme values", "pictures": "Pictures", "drawings": "Drawings", "loads": "Loads",
@@ -62,15 +87,15 @@ GROUPS: dict[str, Sequence[str]] = {
 }  # fmt: skip
 
 
-def build_page(
+def build_report(
     combined: Results,
     text: str | None = None,
     file: str = "case.toml",
     chapters: Sequence[str] | None = None,
     comparison: GroundComparison | None = None,
     told: Callable[[str, float], None] = lambda _, __: None,
-) -> dict[str, Any]:
-    """Return the content of the report of a solved model, for the template; text and file are those of its input.
+) -> Report:
+    """Return the report of a solved model; text and file are those of its input.
 
     The chapters are those that the case asks for, unless given; that of ground models is there with a comparison only.
     Before each it is told which one is made, and what share of all is.
@@ -87,76 +112,191 @@ def build_page(
     missing = {"grounds"} if comparison is None else set()
     missing |= set() if "calculations" in table_makers(combined) else {"calculations"}
     shown = [name for name in TITLES if name in wanted and name not in missing]
-    makers = _chapters(combined, entries, comparison, in_appendix="long_tables" in shown)
-    contents: dict[str, Any] = {}
+    source = SourceText(printable(file), printable(text, keep="\n\t"))
+    makers = _chapters(combined, entries, comparison, source, in_appendix="long_tables" in shown)
+    made: list[ChapterOfReport] = []
     for number, name in enumerate(shown):
         told(TITLES[name], number / len(shown))
-        contents |= {key: make() for key, make in makers.get(name, {}).items()}
-    return {
-        "chapters": {name: TITLES[name] for name in shown},
-        "appendix": [name for name in shown if name in APPENDIX],
-        "title": combined.model.title,
-        "project": _title_block(combined.model.project),
-        "version": __version__,
-        "file": printable(file),
-        "text": printable(text, keep="\n\t"),
-        "sha256": hashlib.sha256(text.encode()).hexdigest(),
-        "facts": list(_facts(combined)),
-        "verdict": dict(zip(("status", "words"), _verdict(combined, entries), strict=True)),
-        "design": check_design(combined),
-        "within": [
-            (error_text(check.error or 0.0, check.demand or 0.0), between_text(check))
-            for check in check_design(combined).checks
-        ],
-        "refused": [(name, refusal_words(error, combined.model.units)) for name, error in combined.refused.items()],
-        **contents,
-    }
+        made.append(ChapterOfReport(name, TITLES[name], tuple(makers[name]()), name in APPENDIX))
+    if combined.refused:
+        units = combined.model.units
+        reasons = {
+            name: Paragraph(refusal_words(error, units), "bad reason") for name, error in combined.refused.items()
+        }
+        refused = tuple(Part(Name(name), (reason,), keep=True) for name, reason in reasons.items())
+        first = next((at for at, chapter in enumerate(made) if chapter.in_appendix), len(made))
+        made.insert(first, ChapterOfReport("refused", "Combinations without results", refused))
+    design, digest = check_design(combined), hashlib.sha256(text.encode()).hexdigest()
+    return Report(
+        title=combined.model.title,
+        project=tuple(_title_block(combined.model.project)),
+        version=__version__,
+        file=source.file,
+        sha256=digest,
+        facts=(
+            ("Program", joined((Name(f"groundslab {__version__}"), "thick plates on layered, tensionless ground"))),
+            ("Input file", Name(source.file)),
+            ("SHA-256 of its text", Name(digest)),
+            *_facts(combined),
+        ),
+        design=("bad" if design.open else "doubtful" if design.hanging else "", design.headline),
+        checks=tuple(map(_check_line, design.checks)),
+        analysis=_verdict(combined, entries),
+        chapters=tuple(made),
+    )
+
+
+def _check_line(check: DesignCheck) -> CheckLine:
+    """Return a check as the first page has it."""
+    demand = limit = used = ""
+    if check.demand is not None and check.resistance is not None:
+        demand, limit = (f"{_figure(value)} {check.unit}" for value in (check.demand, check.resistance))
+        used = f"{check.utilization:.2f}"
+    verdicts: dict[str, Verdict] = {"fails": "bad", "attention": "doubtful", "switched off": "doubtful"}
+    return CheckLine(
+        name=check.name,
+        demand=demand,
+        demand_error=error_text(check.error or 0.0, check.demand or 0.0),
+        limit=limit,
+        used=used,
+        between=between_text(check),
+        words=check.words,
+        status=check.status,
+        within="but within the error" if check.hangs else "",
+        verdict=verdicts.get(check.status, "doubtful" if check.hangs else "good"),
+    )
+
+
+def _figure(value: float) -> str:
+    """Return a number as the first page has it."""
+    return f"{value:.4g}" if abs(value) < 10000 else f"{value:.0f}"
 
 
 def _chapters(
-    combined: Results, entries: Sequence[Entry], comparison: GroundComparison | None, *, in_appendix: bool
-) -> dict[Chapter, dict[str, Callable[[], Any]]]:
-    """Return what makes the parts of each chapter, so that only those wanted are made."""
+    combined: Results,
+    entries: Sequence[Entry],
+    comparison: GroundComparison | None,
+    source: SourceText,
+    *,
+    in_appendix: bool,
+) -> dict[Chapter, Callable[[], Iterable[Block]]]:
+    """Return what makes the blocks of each chapter, so that only those wanted are made."""
     model = combined.model
     there = [entry.results for entry in entries if entry.results is not None]
     governing = drawings.find_governing(combined).get("settlement", "")
     leading = combined.results.get(governing) or (there[0] if there else None)
-    constants = any(results.constants.k0 for results in there)
     tables = cache(lambda: tables_of(combined))
+    translate = translator_of(combined)
     return {
-        "extremes": {"extremes": lambda: list(_extremes(combined, entries))},
-        "pictures": {
-            "pictures": lambda: list(drawings.draw_pictures(combined)),
-            "beams": lambda: list(drawings.draw_beams(combined)),
-        },
-        "drawings": {"drawings": lambda: list(_drawings(combined, leading))},
-        "loads": {"loads": lambda: list(drawings.draw_loads(model, combined.solved_model, translator_of(combined)))},
-        "grounds": {"grounds": lambda: None if comparison is None else build_chapter(comparison)},
-        "assumptions": {"assumptions": lambda: list_assumptions(combined)},
-        "tables": {
-            "tables": lambda: [layout_in_text(table, in_appendix) for table in tables() if table.name != "calculations"]
-        },
-        "calculations": {
-            "calculations": lambda: [table for table in tables() if table.name == "calculations"],
-            "sheets": lambda: [
-                sheet for table in tables() if table.name == "calculations" for sheet in draw_sheets(combined, table)
-            ],
-        },
-        "case": {
-            "case": lambda: input_tables(model, combined.combinations),
-            "analysed": lambda: [
-                layout_section(section, model.units) for section in (list_sections(combined) if there else ())
-            ],
-        },
-        "certificate": {"certificates": lambda: list_certificates(combined, entries)},
-        "convergence": {
-            "constants": lambda: list_constants(entries, model.units) if constants else None,
-            "history": lambda: list_steps(entries),
-        },
-        "long_tables": {
-            "long_tables": lambda: [layout_whole(table) for table in tables() if table_layout.is_long(table)]
-        },
+        "extremes": lambda: (
+            [Part(grid.title, (grid,), keep=True) for grid in _extremes(combined, entries)]
+            or [Paragraph(NOTHING, "bad")]
+        ),
+        "pictures": lambda: _pictures(combined),
+        "drawings": lambda: _first_alone(tuple(_drawings(combined, leading))),
+        "loads": lambda: (
+            Paragraph("Each load case by itself, values without factors."),
+            Figures(tuple(drawings.draw_loads(model, combined.solved_model, translate)), pairs=True),
+        ),
+        "grounds": lambda: () if comparison is None else build_chapter(comparison),
+        "assumptions": lambda: (
+            Figures((draw_signs(translate),)),
+            Bullets(tuple(list_assumptions(combined))),
+        ),
+        "tables": lambda: (
+            Paragraph(IN_TEXT),
+            *(_table_part(table, in_appendix) for table in tables() if table.name != "calculations"),
+        ),
+        "calculations": lambda: _calculations(combined, tables()),
+        "viewer": lambda: (Viewer(),),
+        "case": lambda: _case(combined, source, list_sections(combined) if there else ()),
+        "certificate": lambda: list_certificates(combined, entries),
+        "convergence": lambda: _convergence(entries, model.units),
+        "long_tables": lambda: (
+            [
+                Part(table.title, _whole(table), f"whole-{table.name}")
+                for table in tables()
+                if table_layout.is_long(table)
+            ]
+            or [Paragraph("There are none.")]
+        ),
     }
+
+
+def _calculations(combined: Results, tables: Sequence[Table]) -> Iterator[Block]:
+    """Yield the notes on calculations, and a sheet for each."""
+    for table in tables:
+        if table.name == "calculations":
+            yield from map(Paragraph, table.notes)
+            yield from draw_sheets(combined, table)
+
+
+def _first_alone(drawn: tuple[drawings.Drawing, ...]) -> tuple[Figures, Figures]:
+    """Return the first drawing as wide as the page, the others two beside each other."""
+    return Figures(drawn[:1]), Figures(drawn[1:], pairs=True)
+
+
+def _pictures(combined: Results) -> Iterator[Block]:
+    """Yield the governing fields as small plans, and the forces along beams."""
+    if pictures := tuple(drawings.draw_pictures(combined)):
+        yield Figures(pictures, pairs=True)
+    else:
+        yield Paragraph(NOTHING)
+    yield Figures(tuple(drawings.draw_beams(combined)))
+
+
+def _case(combined: Results, source: SourceText, analyzed: Sequence[SummarySection]) -> Iterator[Block]:
+    """Yield each key of the case with its value, the case's text, plate and mesh as analyzed."""
+    model = combined.model
+    yield Paragraph(KEYS)
+    yield Columns(
+        tuple(Part(section.title, _titled(section.grids)) for section in input_tables(model, combined.combinations))
+    )
+    yield source
+    if analyzed:
+        sections_of = [layout_section(section, model.units) for section in analyzed]
+        yield Part("As analysed", _titled(sections_of), keep=True)
+
+
+def _titled(grids: Iterable[TableLayout]) -> tuple[Block, ...]:
+    """Return tables, those with a title under it as a heading."""
+    return tuple(Part(grid.title, (grid,), level=4) if grid.title else grid for grid in grids)
+
+
+def _table_part(table: Table, in_appendix: bool) -> Part:
+    """Return a table under its title as the text has it: whole, or of a long one its extremes and where it is whole."""
+    blocks = _extremes_of(table, in_appendix) if table_layout.is_long(table) else _whole(table)
+    return Part(table.title, blocks, f"table-{table.name}", on_paper=table.name != "checks")
+
+
+def _extremes_of(table: Table, in_appendix: bool) -> tuple[Block, ...]:
+    """Return the extremes of a long table, and where it is whole."""
+    rows, digest = len(table), table_layout.summarize_table(table)
+    template = "All {rows} rows: tables/{table}.csv of the results and the workbook that groundslab tables writes."
+    whole = Message(template, rows=rows, table=Name(table.name))
+    if in_appendix and rows <= table_layout.MOST_IN_FILE:
+        whole = Message("All {rows} rows: the appendix.", rows=rows)
+    return (*([] if digest is None else [replace(digest, notes=(*digest.notes, *table.notes))]), Paragraph(whole))
+
+
+def _whole(table: Table) -> tuple[Block, ...]:
+    """Return a table cut so that it fits on paper, or that it has no rows, or too many for one file."""
+    if not len(table):
+        return (Paragraph("Nothing to list."), *map(Paragraph, table.notes))
+    if len(table) > table_layout.MOST_IN_FILE:
+        template = "{rows} rows are too many for this file: see tables/{table}.csv."
+        return (Paragraph(Message(template, rows=len(table), table=Name(table.name))),)
+    return tuple(table_layout.split_columns(table_layout.layout_table(table), table_layout.keys_of(table)))
+
+
+def _convergence(entries: Sequence[Entry], units: System) -> Iterator[Block]:
+    """Yield the constants of the ground, if it has any, and the steps of all combinations."""
+    steps = list_steps(entries)
+    if any(entry.results.constants.k0 for entry in entries if entry.results is not None):
+        yield Part("Constants of the ground", (list_constants(entries, units),))
+        yield Part("Iterations", (steps,))
+    else:
+        yield steps
 
 
 def _title_block(project: Project | None) -> list[tuple[str, str]]:
@@ -178,7 +318,7 @@ def _facts(combined: Results) -> Iterator[tuple[str, str]]:
     yield "Combinations", which if parts else str(total)
 
 
-def _verdict(combined: Results, entries: Sequence[Entry]) -> tuple[str, str]:
+def _verdict(combined: Results, entries: Sequence[Entry]) -> tuple[Verdict, str]:
     """Return how good the results of all combinations are (good, doubtful, bad), and that in words."""
     if not combined.refused:
         certified = sections.certified_words(len(entries))
@@ -269,29 +409,6 @@ def _extreme(extreme: Extreme | None, names: Mapping[int, str], label: str, unit
         Cell(shown.place, "number"),
         Cell(names.get(extreme.number, "")),
     )
-
-
-def layout_in_text(table: Table, in_appendix: bool) -> dict[str, Any]:
-    """Return a table as the text has it: whole, or of a long one its extremes and where it is whole."""
-    if not table_layout.is_long(table):
-        return layout_whole(table) | {"whole": ""}
-    rows, digest = len(table), table_layout.summarize_table(table)
-    template = "All {rows} rows: tables/{table}.csv of the results and the workbook that groundslab tables writes."
-    whole = Message(template, rows=rows, table=Name(table.name))
-    if in_appendix and rows <= table_layout.MOST_IN_FILE:
-        whole = Message("All {rows} rows: the appendix.", rows=rows)
-    grids = [] if digest is None else [replace(digest, notes=(*digest.notes, *table.notes))]
-    return {"name": table.name, "title": table.title, "grids": grids, "whole": whole}
-
-
-def layout_whole(table: Table) -> dict[str, Any]:
-    """Return a table cut so that it fits on paper; without rows if it has too many for one file."""
-    fits = len(table) <= table_layout.MOST_IN_FILE
-    grids = table_layout.split_columns(table_layout.layout_table(table), table_layout.keys_of(table))
-    template = "{rows} rows are too many for this file: see tables/{table}.csv."
-    too_many = Message(template, rows=len(table), table=Name(table.name))
-    about = {"name": table.name, "title": table.title, "length": len(table), "too_many": too_many}
-    return about | {"grids": grids if fits and len(table) else [], "notes": table.notes}
 
 
 def list_constants(entries: Sequence[Entry], units: System) -> TableLayout:

@@ -12,7 +12,6 @@ import hashlib
 import json
 import os
 import re
-from contextlib import AbstractContextManager, nullcontext
 from functools import cache, partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -21,11 +20,12 @@ from groundslab._version import __version__
 from groundslab.errors import GroundslabError
 from groundslab.languages import page_messages
 from groundslab.results.results import CombinationResult, Results, results_of
-from groundslab.storage import atomic, checksums
+from groundslab.storage import checksums
 from groundslab.storage.ownership import check_replaceable, is_page
 from groundslab.views.plots.export import write_file
 from groundslab.views.report.calculations import split_formula, split_with_commas
-from groundslab.views.report.content import build_page
+from groundslab.views.report.content import build_report
+from groundslab.views.report.document import CHECK_HEADS
 from groundslab.views.report.table_layout import split_symbol, split_words
 from groundslab.views.scene.binary import pack
 from groundslab.views.scene.fields import scene_of
@@ -39,13 +39,11 @@ if TYPE_CHECKING:
     from groundslab.analysis.ground_comparison.comparison import GroundComparison
     from groundslab.languages import Language, Translator
     from groundslab.model.outputs import Chapter
-    from groundslab.views.report.pdf import Printer
+    from groundslab.views.report.document import Report
 
 HERE = Path(__file__).parent
 #: What the head of every report says of itself, so that an older one can be recognized.
 MARK = "groundslab report"
-#: What follows the end of a report as PDF, by which it is known.
-TAIL = f"% {MARK} "
 #: The viewer's data may take so many letters of the file; fields beyond that are left out, those of one combination
 #: apart.
 MOST_DATA = 15_000_000
@@ -76,8 +74,8 @@ def render_report(
     combined = results_of(results)
     from markupsafe import Markup
 
-    page = build_page(combined, text, file, chapters, comparison, told)
-    scene, head = _scene(combined) if "viewer" in page["chapters"] else ("", {})
+    page = build_report(combined, text, file, chapters, comparison, told)
+    scene, head = _scene(combined) if "viewer" in page.names else ("", {})
     language = combined.model.language
     messages = _viewer_messages(language, head) if head and language != "en" else ""
     style = read_asset("report.css") + (HERE / "templates" / "page.css").read_text(encoding="utf-8")
@@ -88,6 +86,7 @@ def render_report(
         translator_of(combined),
         language,
         page=page,
+        check_heads=CHECK_HEADS,
         remark=remark,
         left_out=head.get("left_out", []),
         scene=scene,
@@ -108,9 +107,8 @@ def write_report(
     chapters: Sequence[Chapter] | None = None,
     comparison: GroundComparison | None = None,
     remark: str = "",
-    printer: Printer | None = None,
 ) -> Path:
-    """Write the report of results: one HTML file that needs no network, or a PDF with page numbers and bookmarks.
+    """Write the report of results: one HTML file that needs no network, or a PDF for print and archive.
 
     Parameters
     ----------
@@ -126,8 +124,6 @@ def write_report(
         A comparison of grounds of the same model, which is a chapter then.
     remark : str, optional
         What the first page says besides, such as that the case has changed since.
-    printer : Printer, optional
-        What prints a PDF, if it was started before.
 
     Returns
     -------
@@ -137,13 +133,13 @@ def write_report(
     Raises
     ------
     InputError
-        If the file cannot be written, or is no report; a PDF also needs Playwright (extra `pdf`) and a browser.
+        If the file cannot be written, or is no report.
     GroundslabError
         If a result is not finite, or this installation lacks the report's script.
 
     Notes
     -----
-    The same results give the same bytes of HTML. A PDF holds the time at which it was made, and no viewer.
+    The same results give the same bytes. A PDF has no viewer.
 
     Examples
     --------
@@ -152,30 +148,19 @@ def write_report(
     >>> path = groundslab.write_report(results, "report.html")
     """
     target = check(path)
-    render = partial(render_report, results, text=text, file=file, comparison=comparison, remark=remark)
     if _is_pdf(target):
-        wanted = results.model.report.chapters if chapters is None else chapters
-        _print_page(target, printer, partial(render, chapters=[name for name in wanted if name != "viewer"]))
+        from groundslab.views.report.pdf import typeset
+
+        combined = results_of(results)
+        wanted = combined.model.report.chapters if chapters is None else chapters
+        of_paper = [name for name in wanted if name != "viewer"]
+        report = build_report(combined, text, file, of_paper, comparison)
+        paper = typeset(report, combined.model.language, translator_of(combined), f"{MARK} {__version__}", remark)
+        write_file(target, target, paper)
     else:
-        _write_page(target, render(chapters=chapters))
+        page = render_report(results, text=text, file=file, chapters=chapters, comparison=comparison, remark=remark)
+        _write_page(target, page)
     return Path(path)
-
-
-def _print_page(target: Path, printer: Printer | None, render: Callable[[], str]) -> None:
-    """Write a page as PDF that says at its end whose it is; nobody waits for one that cannot be printed."""
-    with start_printer(target) if printer is None else nullcontext(printer) as started:
-        assert started is not None
-        started.wait()
-        atomic.write(target, started.print_page(render()) + f"{TAIL}{__version__}\n".encode())
-
-
-def start_printer(path: Path) -> AbstractContextManager[Printer | None]:
-    """Return what prints a report if its name says that it is a PDF; it starts while results are read."""
-    if not _is_pdf(path):
-        return nullcontext()
-    from groundslab.views.report.pdf import Printer
-
-    return Printer()
 
 
 def _write_page(target: Path, page: str) -> None:
@@ -196,11 +181,9 @@ def check(path: str | Path) -> Path:
 
 
 def _is_printed_report(path: Path) -> bool:
-    """Return whether a file is a report that groundslab wrote as PDF."""
-    with path.open("rb") as file:
-        start = file.read(5)
-        file.seek(max(file.seek(0, os.SEEK_END) - 200, 0))
-        return start == b"%PDF-" and TAIL.encode() in file.read()
+    """Return whether a file is a report that groundslab wrote as PDF, as its metadata or its end says."""
+    content = path.read_bytes()
+    return content.startswith(b"%PDF-") and f"{MARK} ".encode() in content
 
 
 def default_path(folder: str | Path, suffix: str = ".html") -> Path:
@@ -257,16 +240,16 @@ def content_security_policy(style: str, script: str) -> str:
     )
 
 
-def _page_heads(page: Mapping[str, Any], translate: Translator) -> str:
+def _page_heads(page: Report, translate: Translator) -> str:
     """Return the style that prints title, project and revision at the head of each page, and the program at its foot.
 
     Letters that could end a string of a style stand there by their numbers.
     """
-    about = dict(page["project"])
+    left, right, digest = page.heading
     heads = {
-        "top-left": page["title"],
-        "top-right": ", ".join(about[name] for name in ("Number", "Part", "Revision") if name in about),
-        "bottom-left": f"groundslab {page['version']}, {translate('SHA-256 of the input')} {page['sha256'][:12]}",
+        "top-left": left,
+        "top-right": right,
+        "bottom-left": f"groundslab {page.version}, {translate('SHA-256 of the input')} {digest}",
     }
     boxes = "".join(
         f'@{place} {{ content: "{re.sub(r"[^A-Za-z0-9 ,.]", lambda match: f"{chr(92)}{ord(match[0]):x} ", text)}"; '

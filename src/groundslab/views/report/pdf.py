@@ -1,95 +1,201 @@
-"""The report's page as PDF, printed by a browser of the machine that Playwright drives."""
+"""The report on paper: the same value as the page, typeset by Typst into an archivable, accessible PDF."""
 
 from __future__ import annotations
 
-import shutil
-from collections.abc import Callable, Iterator
-from concurrent.futures import ThreadPoolExecutor
-from contextlib import AbstractContextManager, ExitStack
-from typing import TYPE_CHECKING, Any
+import importlib.util
+import json
+import re
+from dataclasses import fields
+from functools import cache
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Literal
 
-from groundslab.errors import InputError, Issue
-from groundslab.optional import import_optional
+from groundslab.views.plots.style import PAGE_COLORS
+from groundslab.views.report.calculations import Sheet
+from groundslab.views.report.document import CHECK_HEADS, Bullets, Columns, Figures, Paragraph, Part
+from groundslab.views.report.formulas import set_formula
+from groundslab.views.report.table_layout import TableLayout, split_symbol, split_words
 
 if TYPE_CHECKING:
-    from playwright.sync_api import Browser, Page, Playwright
+    from collections.abc import Iterable, Iterator
 
-#: Browsers by the names of their programs, and by those that Playwright knows installed ones by.
-PROGRAMS, CHANNELS = ("chromium", "chromium-browser", "google-chrome", "microsoft-edge"), ("msedge", "chrome")
-#: What is folded on the screen begins with this; its words are escaped, so that nothing else does.
-FOLDED = '<details class="folded"'
-INSTEAD = "a report without the ending .pdf opens in any browser, which can print it"
+    from groundslab.languages import Language, Translator
+    from groundslab.views.report.calculations import Line
+    from groundslab.views.report.document import Block, CheckLine, Report
+    from groundslab.views.report.drawings.drawings import Drawing
+    from groundslab.views.report.table_layout import Cell, TableHeader
 
-
-class Printer:
-    """A browser that starts, and opens an empty page, while the report is made; it prints in a thread of its own.
-
-    Playwright refuses to wait where an event loop runs, such as in a notebook, and is used by the thread that started
-    it.
-    """
-
-    def __init__(self) -> None:
-        started_by = _import_playwright().sync_playwright
-        self._thread = ThreadPoolExecutor(1)
-        self._open = ExitStack()
-        self._browser = self._thread.submit(self._start, started_by)
-        self._page = self._thread.submit(self._open_page)
-
-    def __enter__(self) -> Printer:
-        """Return the printer."""
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        """Close the browser."""
-        self._thread.submit(self._open.close).result()
-        self._thread.shutdown()
-
-    def wait(self) -> None:
-        """Return when the browser is there; raise InputError if there is none, or Playwright is missing."""
-        self._browser.result()
-
-    def print_page(self, html: str) -> bytes:
-        """Return a page as PDF, its headings as bookmarks."""
-        return self._thread.submit(_print, self._page.result(), html).result()
-
-    def _start(self, started_by: Callable[[], AbstractContextManager[Playwright]]) -> Browser:
-        playwright = self._open.enter_context(started_by())
-        return self._open.enter_context(_launch(playwright))
-
-    def _open_page(self) -> Page:
-        return self._browser.result().new_page(java_script_enabled=False, offline=True)
+HERE = Path(__file__).parent
+#: What every PDF keeps to: reading aloud and by keys (PDF/UA-1), and archives (PDF/A-2a).
+STANDARDS: tuple[Literal["ua-1", "a-2a"], ...] = ("ua-1", "a-2a")
+#: Colors of pages on paper, by their names.
+COLORS = {name: color for color, name in PAGE_COLORS.items() if color != "#000000"}
+#: A formula and its numbers of more letters stand on two lines.
+ONE_LINE = 60
+#: Where letters stand that the fonts of the report lack, such as Hebrew and Arabic.
+_MORE_FONTS = Path("mpl-data", "fonts", "ttf")
 
 
-def unfold(html: str) -> str:
-    """Return a page with all of its tables open: on paper nothing can be."""
-    return html.replace(FOLDED, f"{FOLDED} open")
+def typeset(report: Report, language: Language, translate: Translator, mark: str, remark: str = "") -> bytes:
+    """Return a report as PDF; the same report always gives the same bytes."""
+    import typst
+
+    writer = _Writer(language, translate)
+    data = json.dumps(writer.of_report(report, mark, remark), ensure_ascii=False)
+    template = (HERE / "templates" / "report.typ").read_bytes()
+    # the package's annotations lack several files
+    files: Any = {"main.typ": template, "report.json": data.encode(), **writer.drawings}
+    made: bytes = typst.compile(files, font_paths=_fonts(), pdf_standards=list(STANDARDS))
+    return made
 
 
-def _print(page: Page, html: str) -> bytes:
-    """Return a page as PDF, written into one of the browser."""
-    page.set_content(unfold(html))
-    return page.pdf(prefer_css_page_size=True, print_background=True, outline=True, tagged=True)
+@cache
+def _fonts() -> Any:
+    """Return the fonts of the report: its own, those that Typst brings for formulas, and Matplotlib's for all else."""
+    import typst
+
+    matplotlib = importlib.util.find_spec("matplotlib")
+    more = [] if matplotlib is None or matplotlib.origin is None else [Path(matplotlib.origin).parent / _MORE_FONTS]
+    return typst.Fonts(include_system_fonts=False, font_paths=[HERE / "fonts", *more])
 
 
-def _import_playwright() -> Any:
-    return import_optional("playwright.sync_api", "which prints by a browser", "pdf", INSTEAD)
+class _Writer:
+    """Writes the parts of a report as the template reads them, in a language; it keeps the drawings."""
+
+    def __init__(self, language: Language, translate: Translator) -> None:
+        self.language = language
+        self.say = translate
+        self.drawings: dict[str, bytes] = {}
+
+    def of_report(self, report: Report, mark: str, remark: str) -> dict[str, Any]:
+        """Return all of a report; what the screen alone has is left out."""
+        say = self.say
+        left, right, digest = report.heading
+        facts = [(say(name), say(value)) for name, value in (*report.project, *report.facts)]
+        chapters = [chapter for chapter in report.chapters if chapter.name != "viewer"]
+        return {
+            "language": self.language,
+            "paper": "a4",
+            "mark": mark,
+            "title": report.title or say("(no title)"),
+            "file": report.file,
+            "head": [left, right],
+            "foot": f"groundslab {report.version}, {say('SHA-256 of the input')} {digest}",
+            "facts": facts,
+            "remark": say(remark),
+            "design": [report.design[0], say(report.design[1])],
+            "analysis": [report.analysis[0], say(report.analysis[1])],
+            "heads": [say(head) for head in CHECK_HEADS],
+            "checks": [self._of_check(check) for check in report.checks],
+            "contents": say("Contents"),
+            "appendix": say("Appendix"),
+            "chapters": [
+                {
+                    "title": say(chapter.title),
+                    "appendix": chapter.in_appendix,
+                    "blocks": self._of_blocks(chapter.blocks),
+                }
+                for chapter in chapters
+            ],
+        }
+
+    def _of_check(self, check: CheckLine) -> dict[str, Any]:
+        """Return a line of the first page."""
+        return {field.name: self.say(getattr(check, field.name)) for field in fields(check)} | {
+            "verdict": check.verdict
+        }
+
+    def _of_blocks(self, blocks: Iterable[Block]) -> list[dict[str, Any]]:
+        """Return those blocks that stand on paper."""
+        return [written for block in blocks for written in self._of_block(block)]
+
+    def _of_block(self, block: Block) -> Iterator[dict[str, Any]]:
+        """Yield a block as the template reads it, if it stands on paper."""
+        match block:
+            case Paragraph(text, kind):
+                yield {"block": "paragraph", "text": self.say(text), "kind": kind}
+            case Bullets(texts):
+                yield {"block": "bullets", "texts": [self.say(text) for text in texts]}
+            case Figures(drawings, pairs) if drawings:
+                yield {"block": "figures", "pairs": pairs, "figures": [self._of_drawing(each) for each in drawings]}
+            case TableLayout():
+                yield self._of_table(block)
+            case Sheet():
+                yield self._of_sheet(block)
+            case Columns(parts):
+                yield {"block": "columns", "parts": self._of_blocks(parts)}
+            case Part(on_paper=True):
+                yield {"block": "part", "title": self.say(block.title), "level": block.level, "keep": block.keep,
+                       "blocks": self._of_blocks(block.blocks)}  # fmt: skip
+
+    def _of_drawing(self, drawing: Drawing) -> dict[str, Any]:
+        """Return the name of a drawing's file, and its caption."""
+        name = f"{len(self.drawings)}.svg"
+        svg, label = standalone(drawing.svg)
+        self.drawings[name] = svg
+        caption = self.say(drawing.caption)
+        return {"file": name, "label": label, "caption": split_words(caption) if drawing.symbols else caption}
+
+    def _of_table(self, table: TableLayout) -> dict[str, Any]:
+        """Return a table; each cell is its text, its kind and what stands small below it."""
+        return {
+            "block": "table",
+            "heads": [self._of_head(head) for head in table.heads],
+            "rows": [[self._of_cell(cell) for cell in row] for row in table.rows],
+            "notes": [self.say(note) for note in table.notes],
+        }
+
+    def _of_head(self, head: TableHeader) -> dict[str, Any]:
+        """Return what stands above a column."""
+        words = head.text if head.plain else split_words(self.say(head.text))
+        return {"words": words, "symbol": split_symbol(head.symbol), "unit": head.unit, "number": head.number}
+
+    def _of_cell(self, cell: Cell) -> Any:
+        """Return a cell, a plain text as it is."""
+        match cell.kind:
+            case "symbol":
+                text: Any = split_symbol(cell.text)
+            case "words":
+                text = split_words(self.say(cell.text))
+            case _:
+                text = self.say(cell.text)
+        return [text, cell.kind, self.say(cell.under)] if cell.kind or cell.under else text
+
+    def _of_sheet(self, sheet: Sheet) -> dict[str, Any]:
+        """Return a calculation, with the sketch of a perimeter if it has one."""
+        sketch = None if sheet.sketch is None else self._of_drawing(sheet.sketch)
+        return {
+            "block": "sheet", "title": self.say(sheet.title), "sketch": sketch,
+            "lines": [self._of_line(line) for line in sheet.lines],
+        }  # fmt: skip
+
+    def _of_line(self, line: Line) -> dict[str, Any]:
+        """Return a line of a calculation, its formulas as Typst sets them."""
+        point = "." if self.language == "en" else ","
+        numbers = line.numbers if line.numbers != line.formula else ""
+        return {
+            "quantity": split_words(self.say(line.quantity)),
+            "symbol": [set_formula(line.symbol), line.symbol],
+            "formula": [set_formula(line.formula), line.formula] if line.formula else None,
+            "numbers": [set_formula(numbers, point), numbers] if numbers else None,
+            "long": len(line.formula) + len(numbers) > ONE_LINE,
+            "value": [set_formula(line.value, point), line.value],
+            "unit": raised(line.unit),
+            "other": [self.say(line.other_value), raised(line.other_unit)] if line.other_unit else None,
+            "clause": line.clause.replace("Table", self.say("Table")),
+        }
 
 
-def _launch(playwright: Playwright) -> Browser:
-    """Return the first browser that can be started."""
-    from playwright.sync_api import Error
-
-    for way in _ways():
-        try:
-            return playwright.chromium.launch(**way)
-        except Error:
-            continue
-    hint = f"install one of them; {INSTEAD}"
-    raise InputError([Issue("browser", "none that can be started", "Edge, Chrome or Chromium", hint)])
+def raised(unit: str) -> str:
+    """Return a unit with its powers raised."""
+    return unit.translate(str.maketrans("234", "²³⁴"))
 
 
-def _ways() -> Iterator[dict[str, Any]]:
-    """Yield how browsers may be started: programs on the path, installed ones, and Playwright's own."""
-    yield from ({"executable_path": path} for path in map(shutil.which, PROGRAMS) if path)
-    yield from ({"channel": channel} for channel in CHANNELS)
-    yield {}
+def standalone(svg: str) -> tuple[bytes, str]:
+    """Return a drawing of the page as a file of its own, in the colors of paper, and what it shows in words."""
+    from html import unescape
+
+    label = re.search(r'aria-label="([^"]*)"', svg)
+    own = str(svg).replace("<svg ", '<svg xmlns="http://www.w3.org/2000/svg" font-family="Inter" font-size="11" ', 1)
+    painted = re.sub(r"var\((--[\w-]+)\)", lambda match: COLORS[match[1]], own)
+    return painted.encode(), unescape(label[1]) if label else ""

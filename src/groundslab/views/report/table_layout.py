@@ -6,7 +6,7 @@ import re
 from dataclasses import dataclass, replace
 from itertools import pairwise, takewhile
 from operator import itemgetter
-from typing import Literal
+from typing import ClassVar, Literal
 
 from groundslab.messages import Message
 from groundslab.units import format_number
@@ -79,6 +79,7 @@ class TableLayout:
     rows: tuple[tuple[Cell, ...], ...]
     notes: tuple[str, ...] = ()
     folded: bool = False  # whether it is too long to stand open on the screen
+    block: ClassVar = "table"
 
     @property
     def length(self) -> str:

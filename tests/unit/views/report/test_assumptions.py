@@ -12,13 +12,10 @@ from groundslab.model.model import Model
 from groundslab.results.results import Results
 from groundslab.views.report import content
 from groundslab.views.report.assumptions import list_assumptions
-from groundslab.views.report.html import render_report
 from groundslab.views.report.input_tables import input_tables
-from groundslab.views.report.pdf import FOLDED, unfold
 from groundslab.views.summary import combinations
 from groundslab.views.summary.sections import description
 from helpers import synthetic
-from helpers.pages import page
 
 BAR = {"diameter": 0.012, "spacing": 0.15}
 BARS = dict.fromkeys(("bottom_x", "bottom_y", "top_x", "top_y"), BAR)
@@ -123,21 +120,6 @@ def test_several_plates_are_described_as_several() -> None:
     assert plates.title == "Plates"
     assert (rows["plates"], rows["length_x"], rows["length_y"]) == (2, pytest.approx(15.8), pytest.approx(7.2))
     assert rows["plate_2"] == "6 x 7.2 m, t 0.25 m, E 30000 MPa, nu 0.2"
-
-
-@pytest.mark.slow
-def test_nothing_that_is_folded_is_missing_on_paper(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Long tables and the convergence history are in the page, and open in what is printed; only the viewer is not."""
-    monkeypatch.setattr("groundslab.views.report.table_layout.MOST_ROWS", 1)
-    html = render_report(synthetic.combined(), chapters=["long_tables", "certificate", "convergence", "viewer"])
-    assert html.count(FOLDED) > 3
-    printed = page(unfold(html))
-    assert all("open" in each.attributes for each in printed.all("details") if each.attributes["class"] == "folded")
-    hidden = {
-        each.attributes.get("id") for each in printed.all("section") if "noprint" in each.attributes.get("class", "")
-    }
-    assert hidden == {"table-checks", "explore"} & hidden
-    assert "not printed" not in html
 
 
 def test_national_parameters_are_named_in_one_line() -> None:

@@ -11,16 +11,15 @@ from typing import Any
 import numpy as np
 import pytest
 
-import groundslab
 from groundslab.cli import main as cli
 from groundslab.errors import InputError
 from groundslab.messages import joined
 from groundslab.model.combinations import as_solved
 from groundslab.model.model import Model
-from groundslab.results.results import Results, results_of
+from groundslab.results.results import Results
 from groundslab.units import UNITS
 from groundslab.views.files import results_folder
-from groundslab.views.report import content, pdf
+from groundslab.views.report import content
 from groundslab.views.report.drawings import drawings
 from groundslab.views.report.drawings.load_plan import LoadPlan, load_text, plan_base
 from groundslab.views.report.drawings.maps import _path_data
@@ -28,7 +27,6 @@ from groundslab.views.report.html import render_report
 from groundslab.views.summary.combinations import Extreme
 from groundslab.views.summary.rows import Row, SummarySection
 from helpers import grounds, synthetic
-from helpers.browsing import chromium
 from helpers.pages import Element, page
 
 
@@ -239,36 +237,6 @@ def test_an_extreme_that_is_of_another_quantity_says_of_which(monkeypatch: pytes
     assert first[0].text == "largest error"
     assert [cell.under for cell in first if cell.under] == ["shear q_x", "moment m_x"]
     assert (second[0].text, {cell.under for cell in second}) == ("settlement", {""})
-
-
-@pytest.mark.skipif(chromium() is None, reason="no browser")
-@pytest.mark.slow
-class TestPdf:
-    """The print of the report."""
-
-    def test_is_one(self, tmp_path: Path) -> None:
-        """A PDF of some pages, which is replaced, and a file that is none of ours is not."""
-        folder = results_folder.save_results(synthetic.results(), tmp_path / "slab")
-        for _ in range(2):
-            assert cli.main(["report", str(folder), "--pdf"]) == 0
-        content = (tmp_path / "slab.pdf").read_bytes()
-        assert content.startswith(b"%PDF-")
-        assert len(re.findall(rb"/Type\s*/Page\b", content)) > 2
-        (tmp_path / "slab.pdf").write_bytes(content[: content.rindex(b"%")])
-        assert cli.main(["report", str(folder), "--pdf"]) == 2
-
-    def test_with_another_ending(self, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-        """A name that contradicts --pdf is refused."""
-        folder = results_folder.save_results(synthetic.results(), tmp_path / "slab")
-        assert cli.main(["report", str(folder), "--pdf", "--out", str(tmp_path / "slab.html")]) == 2
-        assert "ends in .pdf" in capsys.readouterr().err
-
-    def test_without_a_browser(self, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-        """Where none can be started, the hint says what to install and what goes without."""
-        monkeypatch.setattr(pdf, "_ways", lambda: iter([{"executable_path": str(tmp_path / "none")}]))
-        with pytest.raises(InputError, match="Edge, Chrome or Chromium"):
-            groundslab.write_report(results_of(synthetic.results()), tmp_path / "slab.pdf")
-        assert not (tmp_path / "slab.pdf").exists()
 
 
 def test_a_band_in_which_nothing_lies_has_no_path() -> None:

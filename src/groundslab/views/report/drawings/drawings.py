@@ -59,6 +59,7 @@ class Drawing:
 
     svg: Markup
     caption: str
+    symbols: bool = False  # whether underscores in the caption make subscripts
 
 
 def draw_case(model: Model, placed: Model, translate: Translator = str) -> Drawing:

@@ -1,0 +1,54 @@
+"""The report on paper: standards, bookmarks, the same bytes."""
+
+from __future__ import annotations
+
+import io
+import re
+from pathlib import Path
+from typing import Any
+
+import pytest
+from pypdf import PdfReader
+
+import groundslab
+from groundslab.cli import main as cli
+from groundslab.results.results import results_of
+from groundslab.views.files import results_folder
+from helpers import synthetic
+from helpers.languages import in_language
+
+
+def test_standards_and_bookmarks(tmp_path: Path) -> None:
+    """It can be read aloud and archived, says its language, and has a bookmark for each chapter, in their order."""
+    results = in_language(results_of(synthetic.results()), "de")
+    reader = PdfReader(groundslab.write_report(results, tmp_path / "report.pdf"))
+    metadata = reader.xmp_metadata
+    assert metadata is not None
+    about = metadata.stream.get_data().decode()
+    assert re.search(r"pdfaid:part>2<.*pdfaid:conformance>A<", about, re.DOTALL)
+    assert "pdfuaid:part>1<" in about
+    root: Any = reader.trailer["/Root"]
+    assert (root["/Lang"], root["/MarkInfo"]["/Marked"]) == ("de", True)
+    outline = [each.title for each in reader.outline if not isinstance(each, list)]
+    assert outline == ["Extremwerte", "Bilder", "Zeichnungen", "Lasten", "Annahmen und Vorzeichen", "Tabellen",
+                       "Eingabe, Schlüssel für Schlüssel", "Zertifikat", "Konvergenz"]  # fmt: skip
+
+
+def test_is_replaced_and_the_same(tmp_path: Path) -> None:
+    """The command writes the same bytes each time, and replaces no PDF that is not its own."""
+    folder = results_folder.save_results(synthetic.results(), tmp_path / "slab")
+    made = []
+    for _ in range(2):
+        assert cli.main(["report", str(folder), "--pdf"]) == 0
+        made.append((tmp_path / "slab.pdf").read_bytes())
+    assert made[0] == made[1]
+    assert len(PdfReader(io.BytesIO(made[0])).pages) > 2
+    (tmp_path / "slab.pdf").write_bytes(b"%PDF-1.7 of another program")
+    assert cli.main(["report", str(folder), "--pdf"]) == 2
+
+
+def test_with_another_ending(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """A name that contradicts --pdf is refused."""
+    folder = results_folder.save_results(synthetic.results(), tmp_path / "slab")
+    assert cli.main(["report", str(folder), "--pdf", "--out", str(tmp_path / "slab.html")]) == 2
+    assert "ends in .pdf" in capsys.readouterr().err
