@@ -219,6 +219,9 @@ def _describe_report(report: argparse.ArgumentParser) -> None:
     report.add_argument("--out", metavar="FILE", help="file to write, a PDF if it ends in .pdf (default: RESULTS.html)")
     report.add_argument("--pdf", action="store_true", help="make RESULTS.pdf, typeset to be printed and archived")
     report.add_argument(
+        "--length", choices=["short", "full"], help="how much it holds (default: short on paper, full on the page)"
+    )
+    report.add_argument(
         "--chapters",
         nargs="+",
         metavar="NAME",
@@ -271,7 +274,9 @@ def _report(options: argparse.Namespace) -> int:
     combined = results_folder.load_results(folder)
     text, comparison = report.text_of(folder, combined.model), load_comparison(folder)
     remark, chapters = report.changes_since(folder, combined.model), options.chapters
-    report.write_report(combined, target, text=text, chapters=chapters, comparison=comparison, remark=remark)
+    report.write_report(
+        combined, target, text=text, chapters=chapters, comparison=comparison, remark=remark, length=options.length
+    )
     console.print_stderr(f"wrote {target}")
     if remark:
         console.print_stderr(f"note: {remark}")

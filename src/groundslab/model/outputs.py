@@ -59,24 +59,40 @@ class Project(Section):
     ] = "en"
 
 
+#: How much of all that was computed the report holds.
+Length = Literal["short", "full"]
 #: Chapters of the report, in their order.
 Chapter = Literal[
-    "extremes", "pictures", "drawings", "loads", "grounds", "assumptions", "tables", "calculations", "viewer",
+    "drawings", "loads", "extremes", "pictures", "grounds", "assumptions", "calculations", "tables", "viewer",
     "case", "certificate", "convergence", "long_tables",
 ]  # fmt: skip
-#: Those that it has by default.
+#: Those that it has by default in full.
 CHAPTERS: tuple[Chapter, ...] = tuple(chapter for chapter in get_args(Chapter) if chapter != "long_tables")
 
 
 class Report(Section):
     """What the report holds beside its first page."""
 
+    length: Annotated[
+        Length | None,
+        Choice(
+            Length,
+            "short: what governs, one calculation of each kind and a row for each thing designed; full: all chapters, "
+            "tables and calculations; by default short on paper and full on the page",
+        ),
+    ] = None
+    paper: Annotated[
+        Literal["A4", "letter"] | None,
+        Choice(
+            Literal["A4", "letter"], "size of the paper; by default letter with units of the United States, else A4"
+        ),
+    ] = None
     chapters: Annotated[
         tuple[Chapter, ...],
         ListOf(
             Choice(Chapter, ""),
             "",
-            "its chapters, in the report's own order; all but long_tables by default",
+            "its chapters, in the report's own order; by default those of its length, in full all but long_tables",
             unique=True,
         ),
     ] = CHAPTERS

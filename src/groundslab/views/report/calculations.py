@@ -55,8 +55,10 @@ class Line:
 class Sheet:
     """The calculation of one check at one place in one combination, with the sketch of a perimeter if it has one."""
 
+    check: str
     title: str
     lines: tuple[Line, ...]
+    last: float  # what comes out at its end
     sketch: Drawing | None = None
     block: ClassVar = "sheet"
 
@@ -83,11 +85,12 @@ def build_sheets(table: Table, units: System) -> dict[tuple[str, str, str], Shee
     rows = zip(*(column.values for column in table.columns), strict=True)
     sheets = {}
     for about, of_one in groupby(rows, key=lambda row: row[:3]):
-        lines, places = [], set()
+        lines, places, last = [], set(), 0.0
         for *_, quantity, symbol, formula, numbers, value, unit, clause, x, y in of_one:
             if isinstance(value, int | float):
                 words = map(str, (symbol, formula, numbers, format_number(float(value)), unit, clause))
                 other = _in_other_unit(float(value), str(unit), units)
+                last = float(value)
                 lines.append(Line(words_in(str(quantity), units), *words, *other))
             if isinstance(x, float) and isinstance(y, float):
                 places.add((x, y))
@@ -97,7 +100,7 @@ def build_sheets(table: Table, units: System) -> dict[tuple[str, str, str], Shee
         check, of, combination = map(str, about)
         check_name = Message("{check:capital}", check=check)
         named = [check_name, of if about[1] else "", Name(combination) if about[2] else ""]
-        sheets[check, of, combination] = Sheet(joined(filter(None, (*named, *where))), tuple(lines))
+        sheets[check, of, combination] = Sheet(check, joined(filter(None, (*named, *where))), tuple(lines), last)
     return sheets
 
 

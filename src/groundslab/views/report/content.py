@@ -38,6 +38,8 @@ from groundslab.views.report.drawings import drawings
 from groundslab.views.report.drawings.signs import draw_signs
 from groundslab.views.report.ground_models import build_chapter
 from groundslab.views.report.input_tables import input_tables
+from groundslab.views.report.length import CHAPTERS as SHORT_CHAPTERS
+from groundslab.views.report.length import governing_sheets, shorten_tables
 from groundslab.views.report.table_layout import Cell, TableHeader, TableLayout, drop_empty_columns, headers
 from groundslab.views.summary import combinations, sections
 from groundslab.views.summary.discretization import coarse_words, is_unknown, provisional_words
@@ -51,7 +53,7 @@ if TYPE_CHECKING:
 
     from groundslab.analysis.ground_comparison.comparison import GroundComparison
     from groundslab.design.rules.check import DesignCheck
-    from groundslab.model.outputs import Chapter, Project
+    from groundslab.model.outputs import Chapter, Length, Project
     from groundslab.results.results import CombinationResult, Results
     from groundslab.unit_systems import System
     from groundslab.views.report.document import Block, Verdict
@@ -73,9 +75,9 @@ KEYS = (
 )
 #: Titles of the chapters, in their order.
 TITLES: dict[Chapter, str] = {
-    "extremes": "Extreme values", "pictures": "Pictures", "drawings": "Drawings", "loads": "Loads",
-    "grounds": "Ground models compared", "assumptions": "Assumptions and signs", "tables": "Tables",
-    "calculations": "Calculations", "viewer": "Viewer",
+    "drawings": "Drawings", "loads": "Loads", "extremes": "Extreme values", "pictures": "Pictures",
+    "grounds": "Ground models compared", "assumptions": "Assumptions and signs", "calculations": "Calculations",
+    "tables": "Tables", "viewer": "Viewer",
     "case": "Case, key by key", "certificate": "Certificate", "convergence": "Convergence",
     "long_tables": "Long tables",
 }  # fmt: skip
@@ -94,26 +96,31 @@ def build_report(
     chapters: Sequence[str] | None = None,
     comparison: GroundComparison | None = None,
     told: Callable[[str, float], None] = lambda _, __: None,
+    length: Length = "full",
 ) -> Report:
     """Return the report of a solved model; text and file are those of its input.
 
-    The chapters are those that the case asks for, unless given; that of ground models is there with a comparison only.
+    The chapters are those that the case asks for, unless given, else those of a length; that of ground models is there
+    with a comparison only.
     Before each it is told which one is made, and what share of all is.
     """
     combinations.require_finite(combined)
     entries = combinations.entries(combined)
     text = casefile.to_toml(combined.model) if text is None else text
-    wanted = combined.model.report.chapters if chapters is None else chapters
-    if unknown := [name for name in wanted if name not in TITLES]:
+    short = length == "short"
+    if chapters is None:
+        asked = combined.model.report
+        chapters = SHORT_CHAPTERS if short and "chapters" not in asked.model_fields_set else asked.chapters
+    if unknown := [name for name in chapters if name not in TITLES]:
         expected = f"chapters among {listed(TITLES)}"
         raise InputError([Issue("chapters", f'"{name}"', expected) for name in unknown])
     if comparison is not None and comparison.model != combined.model:
         raise InputError([Issue("comparison", "one of another model", "one of the model of the results")])
     missing = {"grounds"} if comparison is None else set()
     missing |= set() if "calculations" in table_makers(combined) else {"calculations"}
-    shown = [name for name in TITLES if name in wanted and name not in missing]
+    shown = [name for name in TITLES if name in chapters and name not in missing]
     source = SourceText(printable(file), printable(text, keep="\n\t"))
-    makers = _chapters(combined, entries, comparison, source, in_appendix="long_tables" in shown)
+    makers = _chapters(combined, entries, comparison, source, short=short, in_appendix="long_tables" in shown)
     made: list[ChapterOfReport] = []
     for number, name in enumerate(shown):
         told(TITLES[name], number / len(shown))
@@ -140,30 +147,32 @@ def build_report(
             *_facts(combined),
         ),
         design=("bad" if design.open else "doubtful" if design.hanging else "", design.headline),
-        checks=tuple(map(_check_line, design.checks)),
+        checks=tuple(_check_line(check, short=short) for check in design.checks),
         analysis=_verdict(combined, entries),
         chapters=tuple(made),
     )
 
 
-def _check_line(check: DesignCheck) -> CheckLine:
-    """Return a check as the first page has it."""
+def _check_line(check: DesignCheck, *, short: bool) -> CheckLine:
+    """Return a check as the first page has it; of a short report's only those that are open are explained."""
     demand = limit = used = ""
     if check.demand is not None and check.resistance is not None:
         demand, limit = (f"{_figure(value)} {check.unit}" for value in (check.demand, check.resistance))
         used = f"{check.utilization:.2f}"
     verdicts: dict[str, Verdict] = {"fails": "bad", "attention": "doubtful", "switched off": "doubtful"}
+    verdict = verdicts.get(check.status, "doubtful" if check.hangs else "good")
+    brief = short and verdict == "good"
     return CheckLine(
         name=check.name,
         demand=demand,
-        demand_error=error_text(check.error or 0.0, check.demand or 0.0),
+        demand_error="" if brief else error_text(check.error or 0.0, check.demand or 0.0),
         limit=limit,
         used=used,
-        between=between_text(check),
-        words=check.words,
+        between="" if brief else between_text(check),
+        words="" if brief else check.words,
         status=check.status,
         within="but within the error" if check.hangs else "",
-        verdict=verdicts.get(check.status, "doubtful" if check.hangs else "good"),
+        verdict=verdict,
     )
 
 
@@ -178,6 +187,7 @@ def _chapters(
     comparison: GroundComparison | None,
     source: SourceText,
     *,
+    short: bool,
     in_appendix: bool,
 ) -> dict[Chapter, Callable[[], Iterable[Block]]]:
     """Return what makes the blocks of each chapter, so that only those wanted are made."""
@@ -186,28 +196,29 @@ def _chapters(
     governing = drawings.find_governing(combined).get("settlement", "")
     leading = combined.results.get(governing) or (there[0] if there else None)
     tables = cache(lambda: tables_of(combined))
-    translate = translator_of(combined)
+    translate, beside = translator_of(combined), 3 if short else 2
     return {
         "extremes": lambda: (
             [Part(grid.title, (grid,), keep=True) for grid in _extremes(combined, entries)]
             or [Paragraph(NOTHING, "bad")]
         ),
-        "pictures": lambda: _pictures(combined),
-        "drawings": lambda: _first_alone(tuple(_drawings(combined, leading))),
+        "pictures": lambda: _pictures(combined, beside),
+        "drawings": lambda: _first_alone(tuple(_drawings(combined, leading, short=short))),
         "loads": lambda: (
             Paragraph("Each load case by itself, values without factors."),
-            Figures(tuple(drawings.draw_loads(model, combined.solved_model, translate)), pairs=True),
+            Figures(tuple(drawings.draw_loads(model, combined.solved_model, translate)), beside),
         ),
         "grounds": lambda: () if comparison is None else build_chapter(comparison),
-        "assumptions": lambda: (
-            Figures((draw_signs(translate),)),
-            Bullets(tuple(list_assumptions(combined))),
-        ),
+        "assumptions": lambda: _assumptions(combined, short=short),
         "tables": lambda: (
             Paragraph(IN_TEXT),
-            *(_table_part(table, in_appendix) for table in tables() if table.name != "calculations"),
+            *(
+                _table_part(table, in_appendix)
+                for table in (shorten_tables(tables()) if short else tables())
+                if table.name != "calculations"
+            ),
         ),
-        "calculations": lambda: _calculations(combined, tables()),
+        "calculations": lambda: _calculations(combined, tables(), short=short),
         "viewer": lambda: (Viewer(),),
         "case": lambda: _case(combined, source, list_sections(combined) if there else ()),
         "certificate": lambda: list_certificates(combined, entries),
@@ -223,23 +234,34 @@ def _chapters(
     }
 
 
-def _calculations(combined: Results, tables: Sequence[Table]) -> Iterator[Block]:
-    """Yield the notes on calculations, and a sheet for each."""
+def _assumptions(combined: Results, *, short: bool) -> Iterator[Block]:
+    """Yield the assumptions, in short as one paragraph and without the drawing of signs."""
+    said = tuple(list_assumptions(combined))
+    if short:
+        yield Paragraph(joined(said, " "))
+    else:
+        yield Figures((draw_signs(translator_of(combined)),))
+        yield Bullets(said)
+
+
+def _calculations(combined: Results, tables: Sequence[Table], *, short: bool) -> Iterator[Block]:
+    """Yield the notes on calculations, and a sheet for each, in short for one of each kind."""
     for table in tables:
         if table.name == "calculations":
             yield from map(Paragraph, table.notes)
-            yield from draw_sheets(combined, table)
+            sheets = draw_sheets(combined, table)
+            yield from governing_sheets(sheets) if short else sheets
 
 
 def _first_alone(drawn: tuple[drawings.Drawing, ...]) -> tuple[Figures, Figures]:
     """Return the first drawing as wide as the page, the others two beside each other."""
-    return Figures(drawn[:1]), Figures(drawn[1:], pairs=True)
+    return Figures(drawn[:1]), Figures(drawn[1:], columns=2)
 
 
-def _pictures(combined: Results) -> Iterator[Block]:
+def _pictures(combined: Results, beside: int) -> Iterator[Block]:
     """Yield the governing fields as small plans, and the forces along beams."""
     if pictures := tuple(drawings.draw_pictures(combined)):
-        yield Figures(pictures, pairs=True)
+        yield Figures(pictures, beside)
     else:
         yield Paragraph(NOTHING)
     yield Figures(tuple(drawings.draw_beams(combined)))
@@ -428,10 +450,10 @@ def list_constants(entries: Sequence[Entry], units: System) -> TableLayout:
     return TableLayout("", (TableHeader("combination"), *heads), rows)
 
 
-def _drawings(combined: Results, leading: CombinationResult | None) -> Iterator[drawings.Drawing]:
-    """Yield the plan of the case, the mesh, stresses in the ground if they are known, and the ground in section."""
+def _drawings(combined: Results, leading: CombinationResult | None, *, short: bool) -> Iterator[drawings.Drawing]:
+    """Yield the plan of the case, in full the mesh, stresses in the ground if known, and the ground in section."""
     yield drawings.draw_case(combined.model, combined.solved_model, translator_of(combined))
-    if leading is not None:
+    if leading is not None and not short:
         yield drawings.draw_mesh_plan(leading)
     soil = None if leading is None else drawings.draw_soil(leading)
     if soil is None or leading is None:

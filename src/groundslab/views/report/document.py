@@ -33,10 +33,10 @@ class Bullets:
 
 @dataclass(frozen=True, slots=True)
 class Figures:
-    """Drawings below each other, or two beside each other."""
+    """Drawings beside each other on paper in some columns; on the page as many as there is space for, if several."""
 
     drawings: tuple[Drawing, ...]
-    pairs: bool = False
+    columns: int = 1
     block: ClassVar = "figures"
 
 

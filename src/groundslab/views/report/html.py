@@ -38,7 +38,7 @@ if TYPE_CHECKING:
 
     from groundslab.analysis.ground_comparison.comparison import GroundComparison
     from groundslab.languages import Language, Translator
-    from groundslab.model.outputs import Chapter
+    from groundslab.model.outputs import Chapter, Length
     from groundslab.views.report.document import Report
 
 HERE = Path(__file__).parent
@@ -63,6 +63,7 @@ def render_report(
     chapters: Sequence[Chapter] | None = None,
     comparison: GroundComparison | None = None,
     remark: str = "",
+    length: Length | None = None,
     told: Callable[[str, float], None] = lambda _, __: None,
 ) -> str:
     """Return the report as the text of an HTML file; the same results always give the same text.
@@ -74,7 +75,9 @@ def render_report(
     combined = results_of(results)
     from markupsafe import Markup
 
-    page = build_report(combined, text, file, chapters, comparison, told)
+    page = build_report(
+        combined, text, file, chapters, comparison, told, length or combined.model.report.length or "full"
+    )
     scene, head = _scene(combined) if "viewer" in page.names else ("", {})
     language = combined.model.language
     messages = _viewer_messages(language, head) if head and language != "en" else ""
@@ -107,6 +110,7 @@ def write_report(
     chapters: Sequence[Chapter] | None = None,
     comparison: GroundComparison | None = None,
     remark: str = "",
+    length: Length | None = None,
 ) -> Path:
     """Write the report of results: one HTML file that needs no network, or a PDF for print and archive.
 
@@ -120,6 +124,9 @@ def write_report(
         Text of the case file, which the report quotes, and its name; without a text, the model is written out.
     chapters : sequence of str, optional
         The chapters beside the first page; by default those of ``report.chapters`` of the case.
+    length : {"short", "full"}, optional
+        How much of all that was computed it holds; by default ``report.length`` of the case, else short on paper and
+        full on the page.
     comparison : GroundComparison, optional
         A comparison of grounds of the same model, which is a chapter then.
     remark : str, optional
@@ -152,13 +159,17 @@ def write_report(
         from groundslab.views.report.pdf import typeset
 
         combined = results_of(results)
-        wanted = combined.model.report.chapters if chapters is None else chapters
-        of_paper = [name for name in wanted if name != "viewer"]
-        report = build_report(combined, text, file, of_paper, comparison)
-        paper = typeset(report, combined.model.language, translator_of(combined), f"{MARK} {__version__}", remark)
-        write_file(target, target, paper)
+        model = combined.model
+        report = build_report(
+            combined, text, file, chapters, comparison, length=length or model.report.length or "short"
+        )
+        paper = model.report.paper or ("letter" if model.units == "US" else "A4")
+        made = typeset(report, model.language, translator_of(combined), f"{MARK} {__version__}", remark, paper)
+        write_file(target, target, made)
     else:
-        page = render_report(results, text=text, file=file, chapters=chapters, comparison=comparison, remark=remark)
+        page = render_report(
+            results, text=text, file=file, chapters=chapters, comparison=comparison, remark=remark, length=length
+        )
         _write_page(target, page)
     return Path(path)
 

@@ -7,6 +7,7 @@ import json
 import re
 from dataclasses import fields
 from functools import cache
+from itertools import groupby
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
@@ -14,7 +15,7 @@ from groundslab.views.plots.style import PAGE_COLORS
 from groundslab.views.report.calculations import Sheet
 from groundslab.views.report.document import CHECK_HEADS, Bullets, Columns, Figures, Paragraph, Part
 from groundslab.views.report.formulas import set_formula
-from groundslab.views.report.table_layout import TableLayout, split_symbol, split_words
+from groundslab.views.report.table_layout import TableLayout, drop_empty_columns, split_symbol, split_words
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
@@ -30,18 +31,23 @@ HERE = Path(__file__).parent
 STANDARDS: tuple[Literal["ua-1", "a-2a"], ...] = ("ua-1", "a-2a")
 #: Colors of pages on paper, by their names.
 COLORS = {name: color for color, name in PAGE_COLORS.items() if color != "#000000"}
-#: A formula and its numbers of more letters stand on two lines.
-ONE_LINE = 60
+#: A line may end after an underscore.
+BREAK = "_\N{ZERO WIDTH SPACE}"
+#: What Typst calls sizes of paper.
+PAPERS = {"A4": "a4", "letter": "us-letter"}
 #: Where letters stand that the fonts of the report lack, such as Hebrew and Arabic.
 _MORE_FONTS = Path("mpl-data", "fonts", "ttf")
 
 
-def typeset(report: Report, language: Language, translate: Translator, mark: str, remark: str = "") -> bytes:
+def typeset(
+    report: Report, language: Language, translate: Translator, mark: str, remark: str = "", paper: str = "A4"
+) -> bytes:
     """Return a report as PDF; the same report always gives the same bytes."""
     import typst
 
     writer = _Writer(language, translate)
-    data = json.dumps(writer.of_report(report, mark, remark), ensure_ascii=False)
+    content = writer.of_report(report, mark, remark) | {"paper": PAPERS[paper]}
+    data = json.dumps(content, ensure_ascii=False)
     template = (HERE / "templates" / "report.typ").read_bytes()
     # the package's annotations lack several files
     files: Any = {"main.typ": template, "report.json": data.encode(), **writer.drawings}
@@ -75,7 +81,6 @@ class _Writer:
         chapters = [chapter for chapter in report.chapters if chapter.name != "viewer"]
         return {
             "language": self.language,
-            "paper": "a4",
             "mark": mark,
             "title": report.title or say("(no title)"),
             "file": report.file,
@@ -116,8 +121,8 @@ class _Writer:
                 yield {"block": "paragraph", "text": self.say(text), "kind": kind}
             case Bullets(texts):
                 yield {"block": "bullets", "texts": [self.say(text) for text in texts]}
-            case Figures(drawings, pairs) if drawings:
-                yield {"block": "figures", "pairs": pairs, "figures": [self._of_drawing(each) for each in drawings]}
+            case Figures(drawings, columns) if drawings:
+                yield {"block": "figures", "columns": columns, "figures": [self._of_drawing(each) for each in drawings]}
             case TableLayout():
                 yield self._of_table(block)
             case Sheet():
@@ -137,7 +142,8 @@ class _Writer:
         return {"file": name, "label": label, "caption": split_words(caption) if drawing.symbols else caption}
 
     def _of_table(self, table: TableLayout) -> dict[str, Any]:
-        """Return a table; each cell is its text, its kind and what stands small below it."""
+        """Return a table without empty columns; each cell is its text, its kind and what stands small below it."""
+        table = drop_empty_columns(table)
         return {
             "block": "table",
             "heads": [self._of_head(head) for head in table.heads],
@@ -158,7 +164,7 @@ class _Writer:
             case "words":
                 text = split_words(self.say(cell.text))
             case _:
-                text = self.say(cell.text)
+                text = self.say(cell.text).replace("_", BREAK)
         return [text, cell.kind, self.say(cell.under)] if cell.kind or cell.under else text
 
     def _of_sheet(self, sheet: Sheet) -> dict[str, Any]:
@@ -166,7 +172,9 @@ class _Writer:
         sketch = None if sheet.sketch is None else self._of_drawing(sheet.sketch)
         return {
             "block": "sheet", "title": self.say(sheet.title), "sketch": sketch,
-            "lines": [self._of_line(line) for line in sheet.lines],
+            "groups": [
+                list(map(self._of_line, lines)) for _, lines in groupby(sheet.lines, lambda line: bool(line.formula))
+            ],
         }  # fmt: skip
 
     def _of_line(self, line: Line) -> dict[str, Any]:
@@ -178,7 +186,6 @@ class _Writer:
             "symbol": [set_formula(line.symbol), line.symbol],
             "formula": [set_formula(line.formula), line.formula] if line.formula else None,
             "numbers": [set_formula(numbers, point), numbers] if numbers else None,
-            "long": len(line.formula) + len(numbers) > ONE_LINE,
             "value": [set_formula(line.value, point), line.value],
             "unit": raised(line.unit),
             "other": [self.say(line.other_value), raised(line.other_unit)] if line.other_unit else None,

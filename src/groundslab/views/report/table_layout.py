@@ -17,7 +17,7 @@ from groundslab.views.tables.table import Table
 Kind = Literal["", "number", "good", "bad", "muted", "symbol", "words"]
 
 #: More columns than these do not fit on paper.
-MOST_COLUMNS = 11
+MOST_COLUMNS = 14
 #: Of the tables in LONG those with more rows are whole in the appendix alone, and folded there on the screen.
 MOST_ROWS = 24
 LONG = {

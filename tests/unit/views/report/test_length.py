@@ -1,0 +1,99 @@
+"""Short and full reports: what each holds, and what decides which it is."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+from tests.helpers.combinations import few
+from tests.helpers.paths import EXAMPLES
+
+from groundslab.analysis.driver import solve
+from groundslab.case.casefile import load
+from groundslab.model.outputs import CHAPTERS
+from groundslab.results.results import Results
+from groundslab.views.report.calculations import Sheet
+from groundslab.views.report.content import build_report
+from groundslab.views.report.document import Part, Report
+from groundslab.views.report.html import render_report
+from groundslab.views.report.length import CHAPTERS as SHORT
+from groundslab.views.report.length import governing_sheets
+
+
+@pytest.fixture(scope="module")
+def raft() -> Results:
+    """Return the results of a raft on columns with bars, on a coarse mesh."""
+    model = few(load(EXAMPLES / "l_raft.toml"))
+    return solve(model.replace(mesh={"size": max(model.sides) / 8}))
+
+
+@pytest.fixture(scope="module")
+def both(raft: Results) -> tuple[Report, Report]:
+    """Return the short and the full report."""
+    return build_report(raft, length="short"), build_report(raft)
+
+
+def blocks_of(report: Report, name: str) -> list[object]:
+    """Return the blocks of a chapter."""
+    (chapter,) = (chapter for chapter in report.chapters if chapter.name == name)
+    return list(chapter.blocks)
+
+
+def test_chapters(both: tuple[Report, Report]) -> None:
+    """The short one has those of results, the full one the appendix, too; without a comparison neither compares."""
+    short, full = both
+    assert set(short.names) == set(SHORT) - {"grounds"}
+    assert set(full.names) == set(CHAPTERS) - {"grounds"}
+    assert [name for name in full.names if name in short.names] == list(short.names)
+
+
+def test_one_calculation_of_each_kind(both: tuple[Report, Report]) -> None:
+    """Of all layers of bars the one that governs, and of each other check one; the same sheets as in full."""
+    kept, all_of_them = (
+        [block for block in blocks_of(report, "calculations") if isinstance(block, Sheet)] for report in both
+    )
+    assert 1 < len(kept) < len(all_of_them)
+    assert len({sheet.check for sheet in kept}) == len(kept)
+    assert all(sheet in all_of_them for sheet in kept)
+    bending = [sheet.last for sheet in all_of_them if sheet.check == "bending"]
+    assert [sheet.last for sheet in kept if sheet.check == "bending"] == [max(bending)]
+
+
+def test_layers_are_of_one_kind() -> None:
+    """What differs in the layer alone is one kind; the largest share stays, in the place of the first."""
+
+    def sheet(check: str, last: float) -> Sheet:
+        return Sheet(check, check, (), last)
+
+    sheets = [sheet("crack width at the top x", 0.5), sheet("uplift", 0.1), sheet("crack width at the bottom y", 0.9)]
+    assert governing_sheets(sheets) == [sheets[2], sheets[1]]
+
+
+def test_open_checks_keep_their_reasons(both: tuple[Report, Report]) -> None:
+    """What passes is a line without words in short; what fails or needs attention says why in both."""
+    short, full = both
+    assert [check.name for check in short.checks] == [check.name for check in full.checks]
+    for brief, whole in zip(short.checks, full.checks, strict=True):
+        assert (brief.demand, brief.limit, brief.used, brief.status) == (
+            whole.demand,
+            whole.limit,
+            whole.used,
+            whole.status,
+        )
+        assert brief.words == ("" if whole.verdict == "good" else whole.words)
+
+
+def test_tables(both: tuple[Report, Report]) -> None:
+    """The short one has no table that the full one lacks, and of columns the ultimate rows."""
+    short, full = (
+        {block.name: block for block in blocks_of(report, "tables") if isinstance(block, Part)} for report in both
+    )
+    assert {"table-combinations", "table-reinforcement"} <= set(short) < set(full)
+
+
+def test_the_case_decides(raft: Results) -> None:
+    """The page is full unless the case or the caller says otherwise."""
+    asked = replace(raft, model=raft.model.replace(report={"length": "short"}))
+    assert 'id="certificate"' in render_report(raft)
+    assert 'id="certificate"' not in render_report(asked)
+    assert 'id="certificate"' in render_report(asked, length="full")
