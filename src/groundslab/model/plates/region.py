@@ -16,6 +16,7 @@ from groundslab.geometry.places import same_place
 from groundslab.geometry.plan import Place, Segment
 from groundslab.geometry.regions import Region
 from groundslab.model.plates.other_plates import AnyPlate, FurtherPlate, bounds_of, list_plates
+from groundslab.model.plates.pits import levels_of
 from groundslab.model.shapes import CHORD
 
 if TYPE_CHECKING:
@@ -59,6 +60,20 @@ class PlateRegion:
         from shapely import union_all
 
         return self.areas[0] if len(self.areas) == 1 else union_all(self.areas)
+
+    @cached_property
+    def levels(self) -> tuple[BaseGeometry, ...]:
+        """What lies at one level: of each plate all around its pits, then each pit."""
+        return tuple(
+            part for slab, area in zip(self.every, self.areas, strict=True) for part in levels_of(slab, area)
+        )
+
+    def level_at(self, place: Place) -> BaseGeometry:
+        """Return what lies at the level of a place on the plates, the nearest by rounding."""
+        from shapely import Point
+
+        point = Point(place)
+        return min(self.levels, key=lambda part: part.distance(point))
 
     @cached_property
     def grown(self) -> BaseGeometry:
