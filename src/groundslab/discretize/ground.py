@@ -3,8 +3,8 @@
 A table holds what describes the layers of a column, (L, 2): k0 and k1, or (L, 5): thickness, c0, c1, c2 and nu. Where
 the ground varies over the plan, (c, L, ...) are the tables of the c columns that differ. Between boreholes each element
 has the column at its center; of zones it has the mean of their constants by the share of its area in each, which is one
-of them where the mesh follows their borders. Under a pit, whose border the mesh follows, columns begin at its underside:
-what of the layers lies above is cut off.
+of them where the mesh follows their borders. Under a pit, whose border it follows, columns begin at its underside: what
+of the layers lies above is cut off.
 """
 
 from __future__ import annotations
@@ -259,9 +259,7 @@ def cut_off(tables: Array, depth: Array) -> Array:
     h, c0, c1, c2, nu = np.moveaxis(tables, -1, 0)
     off = np.clip(depth[:, None] - (np.cumsum(h, axis=1) - h), 0.0, h)
     a = np.divide(off, h, out=np.zeros_like(h), where=h > 0)
-    return np.stack(
-        [h - off, c0 + a * (c1 + a * c2), (c1 + 2 * c2 * a) * (1 - a), c2 * (1 - a) ** 2, nu], axis=-1
-    )
+    return np.stack([h - off, c0 + a * (c1 + a * c2), (c1 + 2 * c2 * a) * (1 - a), c2 * (1 - a) ** 2, nu], axis=-1)
 
 
 def _place_of(name: str, model: Model) -> tuple[int, slice]:

@@ -84,9 +84,7 @@ def _gaps(model: Model, cells: Cells, void: Array) -> Array:
     return gap
 
 
-def _columns(
-    ground: ContinuousGround, model: Model, mean: Medium, grid: Grid, cells: Cells, depth: float
-) -> Columns:
+def _columns(ground: ContinuousGround, model: Model, mean: Medium, grid: Grid, cells: Cells, depth: float) -> Columns:
     """Return the columns of boreholes, between which settlements are interpolated as layers are elsewhere.
 
     Under pits they begin at the undersides of these.

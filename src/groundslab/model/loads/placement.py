@@ -1,4 +1,4 @@
-"""Checks that loads, columns, walls, outputs and voids lie on the plate and name what there is; weights of beams and pits."""
+"""Checks that loads, columns, walls, outputs and voids lie on the plate and name what there is; weights of members."""
 
 from __future__ import annotations
 

@@ -25,7 +25,6 @@ from groundslab.units import show
 
 if TYPE_CHECKING:
     from shapely import Polygon
-    from shapely.geometry.base import BaseGeometry
 
 #: A pit's floor between its walls is at least so wide, over the thickness of a wall.
 LEAST_WIDTH = 0.5
@@ -89,14 +88,6 @@ def _thickness_around(plate: AnyPlate, number: int) -> float:
     return plate.thickness
 
 
-def levels_of(plate: AnyPlate, area: BaseGeometry) -> tuple[BaseGeometry, ...]:
-    """Return what of a plate's area lies at one level: all around its pits, then each pit."""
-    from shapely import union_all
-
-    pits = [pit.area(chord_of(plate)) for pit in pits_of(plate)]
-    return (area.difference(union_all(pits)), *pits) if pits else (area,)
-
-
 def check_pits(plate: Plate, plates: tuple[FurtherPlate, ...]) -> Iterator[RelativeIssue]:
     """Find pits that lie no deeper than the slab, leave it with their walls, or meet other zones."""
     for position, slab in enumerate(list_plates(plate, plates), start=-1):
@@ -142,4 +133,3 @@ def _check_place(pit: Pit, slab: AnyPlate) -> Iterator[RelativeIssue]:
             found, expected = f"a pit that meets zones[{number}]", "a pit apart from other zones"
             hint = "its walls count with it; a zone before it may lie all around it"
             yield RelativeIssue(("shape",), found, expected, hint)
-
