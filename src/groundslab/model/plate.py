@@ -63,7 +63,7 @@ class Zone(Section):
         float | None,
         Quantity(
             "length",
-            "z_p",
+            "z",
             "top side of a pit, from that of the slab around it, below it negative; the shape is that of the axes of "
             "the pit's walls",
             Range(at_least=DEEPEST_LEVEL, below=0),

@@ -11,12 +11,12 @@ from functools import partial
 
 import numpy as np
 
-from groundslab.design.bars import beam_bars, required_bars, wall_bars
+from groundslab.design.bars import beam_bars, pit_walls, required_bars, wall_bars
 from groundslab.design.bars.members import members_of
 from groundslab.design.checks import pulling, punching
 from groundslab.design.codes.registry import code_of
 from groundslab.design.rules.calculation import MEGA, Step
-from groundslab.design.rules.check import GIVEN_SECTION, DesignCheck, judge_apart, not_judged, some
+from groundslab.design.rules.check import GIVEN_SECTION, DesignCheck, Status, judge_apart, not_judged, some
 from groundslab.design.rules.combinations import UNFACTORED, ultimate_results, why_none, without_partial_factors
 from groundslab.design.rules.demand_errors import error_of_ratio, scaled
 from groundslab.design.rules.design_code import BeamRule, DesignCode, no_rule
@@ -25,6 +25,12 @@ from groundslab.model.loads.load_cases import STRENGTH
 from groundslab.model.structure.beams import GivenSection
 from groundslab.model.supports import Pile
 from groundslab.results.results import Results
+
+#: What is left to the engineer at pits.
+PIT_WALLS = (
+    "design by hand what is not checked: pressure of earth and water on the walls, their bars along, the bars of their "
+    "corners with floor and slab, in which all bars of the slab must be anchored, and shear across the step"
+)
 
 
 def checks(combined: Results) -> Iterator[DesignCheck]:
@@ -48,6 +54,7 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
         yield DesignCheck("piles", "not checked", "the strength of the piles themselves is not checked")
     if any(wall.height is not None for wall in combined.model.walls):
         yield from _walls(combined, code)
+    yield from _pits(combined, code)
     if combined.model.beams or members_of(combined.model):
         yield from _beams(combined, code)
     if without_partial_factors(combined):
@@ -122,6 +129,42 @@ def _walls(combined: Results, code: DesignCode) -> Iterator[DesignCheck]:
         yield from judge_apart(needs, lambda need: need.wall, combined.model.checks.off, judge)
     words = "ties, forces along and across, ends, openings and joints of walls with a height are not designed"
     yield DesignCheck("rest of walls", "not checked", words)
+
+
+def _pits(combined: Results, code: DesignCode) -> Iterator[DesignCheck]:
+    """Yield whether walls of pits bear what floor and slab hand over at them, and what of pits is not designed."""
+    steel = combined.model.reinforcement
+    assert steel is not None
+    judge = partial(_pit_walls, f"{code.name} {code.clauses.bars}")
+    needs = pit_walls.pit_wall_needs(combined, steel)
+    if needs:
+        yield from judge_apart(needs, lambda need: need.name, combined.model.checks.off, judge)
+
+
+def _pit_walls(clause: str, needs: list[pit_walls.PitWallNeed]) -> Iterator[DesignCheck]:
+    """Yield whether walls of pits bear the moments of the slab, which needs attention even then."""
+    worst = max(needs, key=lambda need: (need.area, need.design_moment))
+    steps = (
+        Step("thickness of the wall", "t_w", worst.wall, "m"),
+        Step("effective depth", "d", worst.d, "m"),
+        Step("moment that floor and slab hand over", "m_n", worst.moment / MEGA, "MNm/m"),
+        Step("twist beside it", "m_nt", worst.twist / MEGA, "MNm/m"),
+        Step("force by which the floor hangs on the wall", "q_n", worst.pull / MEGA, "MN/m"),
+        Step("moment", "m_Ed", worst.design_moment / MEGA, "MNm/m", "abs(m_n) + abs(m_nt) + max(q_n, 0) * d / 2"),
+    )
+    words: str = Message(
+        '{moment:.4g kNm/m} at {place:.3f m} in "{combination}" bend its walls, {wall:g m} thick',
+        moment=worst.design_moment / 1e3, place=worst.place, combination=Name(worst.combination), wall=worst.wall,
+    )  # fmt: skip
+    if np.isinf(worst.area):
+        words = joined((words, "their concrete is too weak for any reinforcement"), "; ")
+    else:
+        words += Message(": {area:.3g cm2/m} of bars upright at either face", area=worst.area * 1e4)
+        steps += (Step("bars upright at either face", "a_s", worst.area * 1e4, "cm2/m", clause=clause),)
+    words = joined((words, PIT_WALLS), "; ")
+    status: Status = "fails" if np.isinf(worst.area) else "attention"
+    yield DesignCheck("walls of pits", status, words, of=worst.name, combination=worst.combination, place=worst.place,
+                      clause=clause, steps=steps)  # fmt: skip
 
 
 def _struts(combined: Results, clause: str, needs: list[wall_bars.WallNeed]) -> Iterator[DesignCheck]:

@@ -2,12 +2,12 @@
 
 A pit's shape is that of the axes of its walls. Its floor and the slab around it end there, so that walls reach from
 middle plane to middle plane: a wall of thickness t_w under a slab of thickness t, around a floor t_f thick whose top
-side lies z_p (negative) above the slab's, has beside both
+side lies z (negative) above the slab's, has beside both
 
-    V / l = t_w (-z_p + (t_f - t) / 2)
+    V / l = t_w (-z + (t_f - t) / 2)
 
-of concrete for each length of its axis. Half of the wall stands on the floor, -z_p high, the other half hangs under the
-slab, -z_p + t_f - t high. At corners of a closed axis what is missing outside is double inside, so that V is exact.
+of concrete for each length of its axis. Half of the wall stands on the floor, -z high, the other half hangs under the
+slab, -z + t_f - t high. At corners of a closed axis what is missing outside is double inside, so that V is exact.
 """
 
 from __future__ import annotations
@@ -16,6 +16,9 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+import numpy as np
+
+from groundslab.arrays import Array
 from groundslab.geometry.plan import Ring, format_place
 from groundslab.model.plate import Plate
 from groundslab.model.plates.other_plates import AnyPlate, FurtherPlate, list_plates
@@ -58,6 +61,13 @@ class Pit:
     def outer(self, chord: float) -> Polygon:
         """Return what lies inside the outer faces of its walls, see `area`."""
         return self.area(chord).buffer(self.wall / 2, join_style="mitre")
+
+    def faces(self, chord: float) -> tuple[Array, ...]:
+        """Return the corners (p, 2) of the faces of its walls [m], the outer one first, see `area`."""
+        from shapely import get_parts
+
+        inner = get_parts(self.area(chord).buffer(-self.wall / 2, join_style="mitre"))
+        return tuple(np.asarray(part.exterior.coords)[:-1] for part in (self.outer(chord), *inner))
 
 
 def pits_of(plate: AnyPlate) -> tuple[Pit, ...]:
