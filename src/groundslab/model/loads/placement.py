@@ -13,7 +13,7 @@ from groundslab.model.loads.lines import LineLoad, LineMoment
 from groundslab.model.loads.load_types import AnyLoad, PointLoad, SelfWeight, Spread
 from groundslab.model.plate import Plate
 from groundslab.model.plates.other_plates import AnyPlate, FurtherPlate, list_plates
-from groundslab.model.plates.pits import pits_of
+from groundslab.model.plates.pits import chord_of, pits_of
 from groundslab.model.plates.region import NO_PART, PlateRegion, get_plate_region
 from groundslab.model.shapes import CHORD
 from groundslab.model.structure.beams import Beam, RectangularSection
@@ -181,4 +181,6 @@ def weights_of_pits(plate: Plate, plates: tuple[FurtherPlate, ...], load: SelfWe
     """Yield the weight of the walls of each pit along their axes, on the plates that a load names."""
     for own in list_plates(plate, plates):
         for pit in pits_of(own) if load.plate in ("", own.name) else ():
-            yield LineForce(pit.ring.segments(), q=(load.unit_weight * pit.wall * pit.height,) * 2)
+            edges = pit.ring.segments()
+            q = load.unit_weight * pit.volume(chord_of(own)) / sum(edge.length for edge in edges)
+            yield LineForce(edges, q=(q, q))

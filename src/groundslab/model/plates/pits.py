@@ -1,13 +1,9 @@
 """Pits: sunken parts of a plate, each joined to the slab around it by walls along its border.
 
-A pit's shape is that of the axes of its walls. Its floor and the slab around it end there, so that walls reach from
-middle plane to middle plane: a wall of thickness t_w under a slab of thickness t, around a floor t_f thick whose top
-side lies z (negative) above the slab's, has beside both
-
-    V / l = t_w (-z + (t_f - t) / 2)
-
-of concrete for each length of its axis. Half of the wall stands on the floor, -z high, the other half hangs under the
-slab, -z + t_f - t high. At corners of a closed axis what is missing outside is double inside, so that V is exact.
+A pit's shape is that of the axes of its walls. Its floor, t_f thick, and the slab around it, t thick, end there. With the
+floor's top side at z (negative) from the slab's, half of a wall stands on the floor, -z high, and half hangs under the
+slab, -z + t_f - t high: from middle plane to middle plane along straight axes, t_w (-z + (t_f - t) / 2) of concrete for
+each length.
 """
 
 from __future__ import annotations
@@ -27,10 +23,12 @@ from groundslab.schema.issues import RelativeIssue
 from groundslab.units import show
 
 if TYPE_CHECKING:
-    from shapely import Polygon
+    from shapely import MultiPolygon, Polygon
 
 #: A pit's floor between its walls is at least so wide, over the thickness of a wall.
 LEAST_WIDTH = 0.5
+#: Its underside lies at least so much deeper than that of the slab around it [m].
+LEAST_STEP = 1e-3
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,11 +47,6 @@ class Pit:
         """Return how much deeper its underside lies than that of the slab around it [m]."""
         return self.thickness - self.around - self.level
 
-    @property
-    def height(self) -> float:
-        """Return the height of its walls from middle plane to middle plane [m]."""
-        return (self.thickness - self.around) / 2 - self.level
-
     def area(self, chord: float) -> Polygon:
         """Return what lies inside the axes of its walls, arcs as chords at most so far off [m]."""
         return self.ring.polygon(chord)
@@ -62,12 +55,21 @@ class Pit:
         """Return what lies inside the outer faces of its walls, see `area`."""
         return self.area(chord).buffer(self.wall / 2, join_style="mitre")
 
+    def inner(self, chord: float) -> Polygon | MultiPolygon:
+        """Return what lies inside the inner faces of its walls, see `area`."""
+        return self.area(chord).buffer(-self.wall / 2, join_style="mitre")
+
+    def volume(self, chord: float) -> float:
+        """Return the volume of its walls beside floor and slab [m3], see `area`."""
+        axes = self.area(chord).area
+        return (self.outer(chord).area - axes) * self.deeper - (axes - self.inner(chord).area) * self.level
+
     def faces(self, chord: float) -> tuple[Array, ...]:
         """Return the corners (p, 2) of the faces of its walls [m], the outer one first, see `area`."""
         from shapely import get_parts
 
-        inner = get_parts(self.area(chord).buffer(-self.wall / 2, join_style="mitre"))
-        return tuple(np.asarray(part.exterior.coords)[:-1] for part in (self.outer(chord), *inner))
+        parts = self.outer(chord), *get_parts(self.inner(chord))
+        return tuple(np.asarray(part.exterior.coords)[:-1] for part in parts)
 
 
 def pits_of(plate: AnyPlate) -> tuple[Pit, ...]:
@@ -109,7 +111,7 @@ def check_pits(plate: Plate, plates: tuple[FurtherPlate, ...]) -> Iterator[Relat
 
 def _check_depth(pit: Pit) -> Iterator[RelativeIssue]:
     """Find a pit whose underside lies no deeper than that of the slab around it."""
-    if pit.deeper <= 0:
+    if pit.deeper < LEAST_STEP:
         found = f"{show(pit.level, 'length')}, with a floor {show(pit.thickness, 'length')} thick"
         expected = f"an underside deeper than that of the slab, below {show(pit.thickness - pit.around, 'length')}"
         hint = "a recess in the top side alone is a zone of less thickness"
