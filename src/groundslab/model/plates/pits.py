@@ -1,9 +1,9 @@
 """Pits: sunken parts of a plate, each joined to the slab around it by walls along its border.
 
-A pit's shape is that of the axes of its walls. Its floor, t_f thick, and the slab around it, t thick, end there. With the
-floor's top side at z (negative) from the slab's, half of a wall stands on the floor, -z high, and half hangs under the
-slab, -z + t_f - t high: from middle plane to middle plane along straight axes, t_w (-z + (t_f - t) / 2) of concrete for
-each length.
+A pit's shape is that of the axes of its walls. Its floor, t_f thick, and the slab around it, t thick, end there. With
+the floor's top side at z (negative) from the slab's, half of a wall stands on the floor, -z high, and half hangs under
+the slab, -z + t_f - t high: from middle plane to middle plane along straight axes, t_w (-z + (t_f - t) / 2) of concrete
+for each length.
 """
 
 from __future__ import annotations

@@ -226,9 +226,9 @@ def place_labels(model: Model, panel: Panel, per_meter: float, *, numbered: bool
         size = text_width(words, FOOT) / 2 + 0.2, 0.55 * FOOT * PT
         corners = [(x + i * (half[0] + size[0]), y + j * (half[1] + size[1])) for i, j in BESIDE]
         labels.append(Label(words, placement.place_best(corners, size), FOOT))
-    for slab, zone in ((slab, zone) for slab in model.every_plate for zone in slab.zones):
+    for plate, zone in [(slab, zone) for slab in model.every_plate for zone in slab.zones]:
         if zone.thickness is not None or zone.level is not None:
-            words = say(zone_label(zone.thickness or slab.thickness, zone.level))
+            words = say(zone_label(zone.thickness or plate.thickness, zone.level))
             size = text_width(words, FOOT + 0.5) / 2 + 0.4, 0.6 * (FOOT + 0.5) * PT
             (x, y), half = _bounding_box(np.array(zone.shape.ring().flat(np.inf)) * per_meter)
             inner = half[0] - size[0] - 0.6, half[1] - size[1] - 0.6
