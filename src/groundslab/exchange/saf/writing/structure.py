@@ -114,7 +114,10 @@ def write_plate(sheets: Sheets, plate: AnyPlate, name: str, materials: Mapping[t
         material = materials[zone.E or plate.E, plate.nu if zone.nu is None else zone.nu]
         region = _write_region(sheets, name, zone.shape, material, zone.thickness or plate.thickness)
         if zone.level is not None:
-            sheets.leave(f"region {region}", "a pit; its level, its walls and their weight are not written")
+            sheets.leave(
+                f"region {region}",
+                "a pit, written as a zone, without its level and its walls; their weight is a load along lines",
+            )
 
 
 def _size_text(length: float) -> str:
