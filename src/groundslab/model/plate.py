@@ -64,8 +64,8 @@ class Zone(Section):
         Quantity(
             "length",
             "z",
-            "top side of a pit, measured from that of the slab around it, negative below; the shape is that of the axes "
-            "of the pit's walls",
+            "top side of a pit, measured from that of the slab around it, negative below; the shape is that of the "
+            "axes of the pit's walls",
             Range(at_least=DEEPEST_LEVEL, below=0),
             example="-1.2 m",
         ),

@@ -116,7 +116,7 @@ def write_plate(sheets: Sheets, plate: AnyPlate, name: str, materials: Mapping[t
         if zone.level is not None:
             sheets.leave(
                 f"region {region}",
-                "a pit, written as a zone, without its level and its walls; their weight is a load along lines",
+                "a pit without its level and walls, of which the weight is a load along lines",
             )
 
 
