@@ -110,6 +110,7 @@ def _along(result: CombinationResult, edge: Segment, pit: Pit, chord: float) -> 
     inward = edge.left(np.array([edge.part((float(x), float(y))) for x, y in plate.nodes[nodes]]))
     fields = ("moment_x", "moment_y", "moment_xy", "shear_x", "shear_y")
     along = np.column_stack([-inward[:, 1], inward[:, 0]])  # n is to its right
-    m_n, _, m_nt, q_n = rotate_to_cut(*(getattr(plate, field)[nodes] for field in fields), along)
+    m_x, m_y, m_xy, q_x, q_y = (getattr(plate, field)[nodes] for field in fields)
+    m_n, _, m_nt, q_n = rotate_to_cut(m_x, m_y, m_xy, q_x, q_y, along)
     floor = nodes_at(result, pit.area(chord))[nodes]
     return nodes, m_n, m_nt, np.where(floor, q_n, 0.0)

@@ -144,7 +144,7 @@ def _pits(combined: Results, code: DesignCode) -> Iterator[DesignCheck]:
 def _pit_walls(clause: str, needs: list[pit_walls.PitWallNeed]) -> Iterator[DesignCheck]:
     """Yield whether walls of pits bear the moments of the slab, which needs attention even then."""
     worst = max(needs, key=lambda need: (need.area, need.design_moment))
-    steps = (
+    steps: tuple[Step, ...] = (
         Step("thickness of the wall", "t_w", worst.wall, "m"),
         Step("effective depth", "d", worst.d, "m"),
         Step("moment that floor and slab hand over", "m_n", worst.moment / MEGA, "MNm/m"),

@@ -61,8 +61,8 @@ class Pit:
 
     def volume(self, chord: float) -> float:
         """Return the volume of its walls beside floor and slab [m3], see `area`."""
-        axes = self.area(chord).area
-        return (self.outer(chord).area - axes) * self.deeper - (axes - self.inner(chord).area) * self.level
+        outer, axes, inner = (float(part.area) for part in (self.outer(chord), self.area(chord), self.inner(chord)))
+        return (outer - axes) * self.deeper - (axes - inner) * self.level
 
     def faces(self, chord: float) -> tuple[Array, ...]:
         """Return the corners (p, 2) of the faces of its walls [m], the outer one first, see `area`."""

@@ -100,5 +100,5 @@ def _on_members(model: Model, plate: AnyPlate, pit: Pit) -> Iterator[PitRemark]:
             yield ("walls", number), words, True
     for number, support in enumerate(model.supports):
         if isinstance(support, Pile) and inner.contains(Point(support.x, support.y)):
-            words = "a pile under a pit, whose length counts from the underside of the slab around it"
-            yield ("supports", number), words, False
+            counts = "a pile under a pit, whose length counts from the underside of the slab around it"
+            yield ("supports", number), counts, False

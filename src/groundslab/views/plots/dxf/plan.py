@@ -15,7 +15,6 @@ from groundslab.arrays import Array
 from groundslab.design.bars.positions import positions
 from groundslab.geometry.plan import DRAWN_CHORD
 from groundslab.model.loads.acting import AreaPressure, LineForce, PointForce
-from groundslab.model.plates.pits import pits_of
 from groundslab.schema.wording import printable
 from groundslab.unit_systems import together
 from groundslab.units import format_drawn
@@ -196,11 +195,10 @@ def _to_text(layer: str, label: Label, per_meter: float) -> Text:
 
 
 def _zones(model: Model) -> Iterator[Shape]:
-    """Yield the zones of plates, as they are given, and both faces of the walls of pits."""
+    """Yield the zones of plates, as they are given."""
     chord = DRAWN_CHORD * max(model.sides)
-    for plate in model.every_plate:
-        yield from (closed("ZONES", zone.shape.ring(), chord) for zone in plate.zones)
-        yield from (Line("ZONES", face, closed=True) for pit in pits_of(plate) for face in pit.faces(chord))
+    for zone in (zone for plate in model.every_plate for zone in plate.zones):
+        yield closed("ZONES", zone.shape.ring(), chord)
 
 
 def _supports(model: Model, h: float) -> Iterator[Shape]:
