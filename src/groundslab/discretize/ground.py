@@ -109,7 +109,7 @@ def medium_of(
 ) -> Medium:
     """Return layers as the ground says that they settle, down to a depth [m]; one that varies as GRADED_PARTS parts.
 
-    Of layers that are not bonded what lies above a smaller depth [m] is cut off.
+    Of layers that are not bonded what lies above a level [m] is cut off, from which the depth counts then.
     """
     parts = []
     for layer in map(layer_of, layers):
@@ -119,7 +119,7 @@ def medium_of(
         if ground.half_space is not None:
             bonded.append(ElasticLayer(ground.half_space.E, ground.half_space.nu, math.inf))
         return BondedLayers(tuple(bonded))
-    bottoms = np.clip(np.cumsum([part.thickness for part in parts]), above, depth) - above
+    bottoms = np.clip(np.cumsum([part.thickness for part in parts]) - above, 0.0, depth)
     thickness = np.diff(bottoms, prepend=0.0)
     moduli = [float(part.oedometric_ratio * part.mean) for part in parts]
     return StressedLayers(*zip(*((M, float(h)) for M, h in zip(moduli, thickness, strict=True) if h > 0), strict=True))

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from groundslab import Model, solve
+from groundslab.discretize.discretize import discretize
 from groundslab.discretize.ground import cut_off, medium_of
 from groundslab.fem.continuum.media import StressedLayers
 from groundslab.model.ground import ConstrainedModulus
@@ -76,6 +77,24 @@ def test_layers_of_constrained_moduli_begin_at_the_underside_of_a_pit() -> None:
     assert isinstance(cut, StressedLayers)
     assert cut.modulus == pytest.approx((ratio * 40e6,))
     assert cut.thickness == pytest.approx((3.5,))
+    limited = medium_of(ground, ground.layers, depth=1.0, above=2.5)
+    assert isinstance(limited, StressedLayers)
+    assert limited.thickness == pytest.approx((1.0,))
     kind = {"kind": "constrained modulus"}
     pit, flat = (next(iter(solve(model(kind, zone)).results.values())).plate for zone in (SUNK, {}))
     assert pit.settlement.max() < 0.95 * flat.settlement.max()
+
+
+def test_an_excavation_takes_more_off_under_a_pit() -> None:
+    """40 kPa under the slab are 40 + 19 * 0.5 + 10 * 1.0 kPa 1.5 m deeper, with water 0.5 m below the slab."""
+    weight = {"unit_weight": 19e3, "groundwater": 0.5, "unit_weight_below_water": 10e3, "limit_ratio": 0.2}
+    kind = {"kind": "constrained modulus", "relief": 40e3, "reloading": 4.0} | weight
+    ground = discretize(model(kind, SUNK)).elastic
+    assert ground is not None
+    assert ground.relief is not None
+    pressure = ground.relief.force / ground.cells.area
+    x, y = ground.cells.center.T
+    inside = (x > 1) & (x < 3) & (y > -1) & (y < 1)
+    assert inside.any()
+    assert pressure[inside] == pytest.approx(59.5e3)
+    assert pressure[~inside] == pytest.approx(40e3)

@@ -6,15 +6,20 @@ from typing import Any
 
 import numpy as np
 import pytest
+from shapely import box
 
 from groundslab import Model, Results
 from groundslab.design.bars.bar_layout import bar_sets
 from groundslab.design.bars.pit_walls import pit_wall_needs
 from groundslab.design.checks import check_design
-from groundslab.design.demands.by_plate import plate_under
+from groundslab.design.checks.anchorage import _to_ends
+from groundslab.design.demands.by_plate import nodes_at, plate_under
 from groundslab.design.demands.perimeters import Openings, RectangularColumn, perimeter
 from groundslab.design.demands.support_moments import _parts
 from groundslab.design.demands.zones.thicker_zones import zone_forces
+from groundslab.model.design.laid_bars import mean_area
+from groundslab.model.design.reinforcement import Reinforcement
+from groundslab.model.plates.region import PlateRegion
 from helpers.solve_once import solve_once
 
 STEEL = {"concrete": "C30/37", "steel": "B500B", "bottom": (0.05, 0.06), "top": (0.05, 0.06)}
@@ -147,3 +152,46 @@ def test_a_thick_floor_of_a_pit_is_no_thicker_zone_of_the_raft() -> None:
     assert zone_forces(solve_once(raft(thickness=0.8))) == ()
     flat = raft(thickness=0.8, level=None, wall=None)
     assert len(zone_forces(solve_once(flat))) == 1
+
+
+def test_bars_of_a_zone_end_at_the_step_for_their_anchorage(solved: Results) -> None:
+    """A zone of bars from 1 m before the step to 1 m behind it: to its own end 0.4 m, to the step 0.6 m, an edge there.
+
+    Nodes at the step stand once on either side, and bars of the other side are none of theirs.
+    """
+    result, region = solved.results["ULS"], box(0.0, 0.0, 2.0, 1.0)
+    around, pit = PlateRegion(solved.model.plate).levels
+    nodes = np.array([(0.4, 0.5), (1.0, 0.5), (1.0, 0.5), (1.6, 0.5)])
+    for level, there, before, after in (
+        (around, [True, True, False, False], [0.4, 1.0], [0.6, 0.0]),
+        (pit, [False, False, True, True], [0.0, 0.6], [1.0, 0.4]),
+    ):
+        inside, low, high = _to_ends(level, region.intersection(level), "bottom_x", nodes, np.array(there))
+        assert inside.tolist() == np.flatnonzero(there).tolist()
+        assert low[0] == pytest.approx(before)
+        assert high[0] == pytest.approx(after)
+        at_edge = high[1] if level is around else low[1]
+        assert at_edge.all()
+    both = [nodes_at(result, level) for level in (around, pit)]
+    assert (both[0] ^ both[1]).all()
+
+
+def test_bars_in_a_pit_do_not_count_for_punching_beside_it() -> None:
+    """Further bars of the floor alone leave the column beside it with those all over; one in the pit has both."""
+    steel = Reinforcement.model_validate(
+        STEEL | LAID | {"zones": [{"name": "floor", "layers": ["bottom_y"], **BARS, "shape": PIT["shape"]}]}
+    )
+    plate, one = raft().plate, np.pi / 4 * 0.012**2 / 0.2
+    beside, in_it = raft().columns
+    assert mean_area(plate, steel, "bottom_y", beside, 0.43) == pytest.approx(one)
+    assert mean_area(plate, steel, "bottom_y", in_it, 0.33) == pytest.approx(2 * one)
+
+
+def test_a_column_on_a_wall_is_not_judged() -> None:
+    """No perimeter lies at one level there: the check says so, and is not green."""
+    model = raft()
+    moved = tuple(column.model_copy(update={"x": 1.0}) for column in model.columns[:1])
+    moved = model.model_copy(update={"columns": (*moved, *model.columns[1:])})
+    checks = [check for check in check_design(solve_once(moved)).checks if "without a perimeter" in check.name]
+    assert [check.status for check in checks] == ["attention"]
+    assert "on one level" in checks[0].words
