@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from groundslab.arrays import Array, Flags, Integers, made_once_by
+from groundslab.arrays import Array, Flags, Integers, made_once, made_once_by
 from groundslab.messages import Message
 from groundslab.model.loads.acting import PlateAction, PointForce
 from groundslab.model.loads.load_types import AnyLoad
@@ -119,12 +119,18 @@ def plate_under(results: CombinationResult, x: float, y: float) -> PlateResult:
     They are those of what lies at its level: a pit, or all around pits, which bars and perimeters do not leave.
     """
     model = results.model
-    region = get_plate_region(model.plate, model.plates)
-    number = region.plate_at((x, y)) if model.plates else 0
+    number = PlateRegion(model.plate, model.plates).plate_at((x, y)) if model.plates else 0
     plate = list(results_by_plate(results).values())[number]
     if not pits_of(model.every_plate[number]):
         return plate
-    return plate.part(_at_level(plate, region.level_at((x, y))))
+    region = get_plate_region(model.plate, model.plates)
+    return _parts_at_levels(plate, region)[region.levels.index(region.level_at((x, y)))]
+
+
+@made_once
+def _parts_at_levels(plate: PlateResult, region: PlateRegion) -> tuple[PlateResult, ...]:
+    """Return the results of what of a plate lies at each level of a region, empty where nothing does."""
+    return tuple(plate.part(_at_level(plate, level)) for level in region.levels)
 
 
 def split_by_level(results: CombinationResult) -> Iterator[CombinationResult]:
