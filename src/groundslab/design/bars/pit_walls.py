@@ -21,6 +21,7 @@ from groundslab.arrays import Array, Integers
 from groundslab.design.codes.registry import code_of
 from groundslab.design.demands.by_plate import nodes_at
 from groundslab.design.demands.section_cuts import rotate_to_cut
+from groundslab.design.rules.bending_steps import BarsNeeded
 from groundslab.design.rules.combinations import ultimate_results
 from groundslab.geometry.offsets import counterclockwise
 from groundslab.geometry.plan import Segment
@@ -38,13 +39,25 @@ class PitWallNeed:
 
     name: str  # of the pit's zone
     wall: float  # thickness [m]
-    d: float  # effective depth [m]
+    axis: float  # distance of the upright bars' axes from either face [m]
     moment: float  # m_n, positive with tension at the bottom of the slab [N m/m]
     twist: float  # m_nt [N m/m]
     pull: float  # q_n with which the floor hangs on the wall, else below 0 [N/m]
     area: float  # upright bars at either face [m2/m]; inf where the concrete is too weak
+    minimum: float  # the least ones [m2/m]
     place: tuple[float, float]  # [m]
     combination: str
+    limit_state: str
+
+    @property
+    def d(self) -> float:
+        """Return the effective depth [m], not above 0 where the wall is too thin for its bars."""
+        return self.wall - self.axis
+
+    @property
+    def bars(self) -> BarsNeeded:
+        """Return the upright bars as those of a slab as thick."""
+        return BarsNeeded(self.design_moment, self.wall, self.axis, self.area, self.minimum)
 
     @property
     def design_moment(self) -> float:
@@ -71,20 +84,18 @@ def pit_wall_needs(combined: Results, steel: Reinforcement) -> list[PitWallNeed]
 
     Bars lie as far from the faces of walls as those of the slab that lie farthest.
     """
-    farthest = max(axis_of(steel, layer) for layer in LAYERS)
     results, needs = ultimate_results(combined), list[PitWallNeed]()
-    for name, pit, chord in pit_names(combined) if results else ():
-        d = pit.wall - farthest
-        found = [need for result in results for need in _needs(result, steel, (name, pit, chord), d)]
+    for pit in pit_names(combined) if results else ():
+        found = [need for result in results for need in _needs(result, steel, pit)]
         needs += [max(found, key=lambda need: (need.area, need.design_moment))] if found else []
     return needs
 
 
-def _needs(
-    result: CombinationResult, steel: Reinforcement, of: tuple[str, Pit, float], d: float
-) -> Iterator[PitWallNeed]:
+def _needs(result: CombinationResult, steel: Reinforcement, of: tuple[str, Pit, float]) -> Iterator[PitWallNeed]:
     """Yield what a pit's walls need in a combination along each edge of its border, where it is most."""
     name, pit, chord = of
+    axis = max(axis_of(steel, layer) for layer in LAYERS)
+    d = pit.wall - axis
     for edge in counterclockwise(pit.ring):
         nodes, m_n, m_nt, q_n = _along(result, edge, pit, chord)
         if not len(nodes):
@@ -92,12 +103,15 @@ def _needs(
         m_Ed = np.abs(m_n) + np.abs(m_nt) + np.maximum(q_n, 0.0) * max(d, 0.0) / 2
         most = int(np.argmax(m_Ed))
         x, y = result.plate.nodes[nodes[most]].tolist()
-        area = np.inf
+        area = minimum = np.inf
         if d > 0:
             rule = code_of(steel).bending(steel, result.limit_state)
-            area = float(rule.required(m_Ed[[most]], d, thickness=pit.wall).area[0])
-        yield PitWallNeed(name, pit.wall, d, float(m_n[most]), float(m_nt[most]), float(q_n[most]), area, (x, y),
-                          result.combination)  # fmt: skip
+            needed = rule.required(m_Ed[[most]], d, thickness=pit.wall)
+            area, minimum = float(needed.area[0]), float(needed.minimum[0])
+        yield PitWallNeed(
+            name, pit.wall, axis, float(m_n[most]), float(m_nt[most]), float(q_n[most]), area, minimum, (x, y),
+            result.combination, result.limit_state,
+        )  # fmt: skip
 
 
 def _along(result: CombinationResult, edge: Segment, pit: Pit, chord: float) -> tuple[Integers, Array, Array, Array]:

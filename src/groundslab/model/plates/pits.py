@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -74,6 +75,11 @@ class Pit:
 
 def pits_of(plate: AnyPlate) -> tuple[Pit, ...]:
     """Return the pits of a plate."""
+    return _find_pits(plate) if any(zone.level is not None for zone in plate.zones) else ()
+
+
+@lru_cache(maxsize=32)
+def _find_pits(plate: AnyPlate) -> tuple[Pit, ...]:
     return tuple(
         Pit(number, zone.shape.ring(), zone.level, zone.wall, zone.thickness or around, around)
         for number, zone in enumerate(plate.zones, start=1)

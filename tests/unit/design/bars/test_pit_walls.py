@@ -20,6 +20,7 @@ from groundslab.design.demands.zones.thicker_zones import zone_forces
 from groundslab.model.design.laid_bars import mean_area
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.model.plates.region import PlateRegion
+from helpers.calculations import follow_steps
 from helpers.solve_once import solve_once
 
 STEEL = {"concrete": "C30/37", "steel": "B500B", "bottom": (0.05, 0.06), "top": (0.05, 0.06)}
@@ -63,6 +64,21 @@ def test_what_a_round_pit_hands_over_is_the_moment_of_a_disc() -> None:
     f_cd, f_yd = 0.85 * 30e6 / 1.5, 500e6 / 1.15
     depth = d - np.sqrt(d**2 - 2 * need.design_moment / f_cd)
     assert need.area == pytest.approx(depth * f_cd / f_yd, rel=0.01)
+
+
+@pytest.mark.parametrize("code", ["EN 1992-1-1", "EN 1992-1-1:2023", "ACI 318"])
+def test_the_calculation_can_be_followed(code: str) -> None:
+    """From the moment that is handed over to the bars, by each code; the last one is what the check says."""
+    steel = STEEL | {"code": code}
+    if code == "ACI 318":
+        steel = {key: value for key, value in steel.items() if key not in ("concrete", "steel")}
+        steel |= {"f_ck": 30e6, "f_yk": 420e6}
+    model = disc().replace(reinforcement=steel)
+    (check,) = [each for each in check_design(solve_once(model)).checks if each.name == "walls of pits"]
+    known = follow_steps(check.steps)
+    assert known["m"] == pytest.approx(known["m_Ed"])
+    assert known["d"] == pytest.approx(0.25 - 0.06)
+    assert f"{known['A_req']:.3g} cm2/m" in check.words
 
 
 def test_walls_of_pits_are_never_green() -> None:
