@@ -171,8 +171,9 @@ def _pit_steps(steel: Reinforcement, need: pit_walls.PitWallNeed) -> Iterator[St
     yield Step("force by which the floor hangs on the wall", "q_n", need.pull / MEGA, "MN/m")
     formula = "abs(m_n) + abs(m_nt) + max(q_n, 0) * d_w / 2"
     yield Step("moment", "m_Ed", need.design_moment / MEGA, "MNm/m", formula)
-    if np.isfinite(need.area):
-        yield from code_of(steel).bars_by_steps(steel, need.bars, need.limit_state)
+    by_steps = code_of(steel).bars_by_steps
+    if np.isfinite(need.area) and by_steps is not None:
+        yield from by_steps(steel, need.bars, need.limit_state)
 
 
 def _struts(combined: Results, clause: str, needs: list[wall_bars.WallNeed]) -> Iterator[DesignCheck]:
