@@ -149,6 +149,8 @@ def customary_example(text: str, dimension: str) -> str:
     steps: Sequence[Step] = CUSTOMARY_STEPS.get(dimension, ())
     if not steps or value == 0:
         return text
+    if value < 0:
+        return f"-{customary_example(text.replace('-', '', 1), dimension)}"
     if dimension == "length" and value < 1:
         steps = steps[:1]
     elif dimension == "pressure" and value >= LEAST_STRENGTH:

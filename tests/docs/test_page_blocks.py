@@ -47,10 +47,10 @@ def run(text: str, **names: object) -> dict[str, object]:
 def test_cases_of_the_page_on_input_load(tmp_path: Path) -> None:
     """The smallest case loads, and with each of the other blocks put behind it."""
     smallest, *others = blocks("input.md", "toml")
-    assert len(others) == 17
+    assert len(others) == 18
     askew, *others = others
     assert casefile.loads(f"{smallest}\n{askew}").columns[0].angle == -20.556
-    shapes, wall, outer, stairs, stiff, beams, frame, matrix, hung, *others = others
+    shapes, wall, outer, stairs, stiff, beams, frame, matrix, pit, hung, *others = others
     checks, aci, cracks, combinations, moves, floor, table = others
     assert len(casefile.loads(f"{smallest}\n{shapes}").loads) == 5
     core = casefile.loads(f"{smallest}\n{wall}")
@@ -61,6 +61,8 @@ def test_cases_of_the_page_on_input_load(tmp_path: Path) -> None:
     (around,) = casefile.loads(f"{smallest}\n{outer}").placed_walls
     assert around.closed
     assert len(casefile.loads(f"{smallest}\n{beams}").beams) == 5
+    (zone,) = casefile.loads(f"{smallest}\n{pit}").plate.zones
+    assert (zone.level, zone.wall) == (-1.3, 0.3)
     (column,) = casefile.loads(f"{smallest}\n{hung}").columns
     assert (column.x, column.y) == (-0.5, 1.0)
     assert len(casefile.loads(f"{smallest}\n{stiff}").members) == 3

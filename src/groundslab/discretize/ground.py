@@ -3,7 +3,8 @@
 A table holds what describes the layers of a column, (L, 2): k0 and k1, or (L, 5): thickness, c0, c1, c2 and nu. Where
 the ground varies over the plan, (c, L, ...) are the tables of the c columns that differ. Between boreholes each element
 has the column at its center; of zones it has the mean of their constants by the share of its area in each, which is one
-of them where the mesh follows their borders.
+of them where the mesh follows their borders. Under a pit, whose border it follows, columns begin at its underside: what
+of the layers lies above is cut off.
 """
 
 from __future__ import annotations
@@ -39,6 +40,7 @@ from groundslab.model.ground import (
     Winkler,
 )
 from groundslab.model.model import Model
+from groundslab.model.plates.pits import chord_of, pits_of
 from groundslab.model.varying_ground import Borehole
 
 #: What a constant of the ground is multiplied with at places x and y (p,) [m], by the constant's name in the file, such
@@ -72,7 +74,7 @@ def grounds_of(model: Model) -> list[Soil | Column]:
 
 def varies(model: Model) -> bool:
     """Return whether the ground differs from place to place."""
-    return bool(model.soil_zones or model.boreholes)
+    return bool(model.soil_zones or model.boreholes) or has_cut_layers(model)
 
 
 def ground_under(
@@ -102,8 +104,13 @@ def ground_under(
     return soil.mix(parts), (share @ k0, share @ k1)
 
 
-def medium_of(ground: ContinuousGround, layers: tuple[SoilLayer, ...], depth: float = math.inf) -> Medium:
-    """Return layers as the ground says that they settle, down to a depth [m]; one that varies as GRADED_PARTS parts."""
+def medium_of(
+    ground: ContinuousGround, layers: tuple[SoilLayer, ...], depth: float = math.inf, above: float = 0.0
+) -> Medium:
+    """Return layers as the ground says that they settle, down to a depth [m]; one that varies as GRADED_PARTS parts.
+
+    Of layers that are not bonded what lies above a level [m] is cut off, from which the depth counts then.
+    """
     parts = []
     for layer in map(layer_of, layers):
         parts += layer.split(1 if layer.moduli[1:] == (0.0, 0.0) else GRADED_PARTS)
@@ -112,7 +119,7 @@ def medium_of(ground: ContinuousGround, layers: tuple[SoilLayer, ...], depth: fl
         if ground.half_space is not None:
             bonded.append(ElasticLayer(ground.half_space.E, ground.half_space.nu, math.inf))
         return BondedLayers(tuple(bonded))
-    bottoms = np.minimum(np.cumsum([part.thickness for part in parts]), depth)
+    bottoms = np.clip(np.cumsum([part.thickness for part in parts]) - above, 0.0, depth)
     thickness = np.diff(bottoms, prepend=0.0)
     moduli = [float(part.oedometric_ratio * part.mean) for part in parts]
     return StressedLayers(*zip(*((M, float(h)) for M, h in zip(moduli, thickness, strict=True) if h > 0), strict=True))
@@ -217,11 +224,42 @@ def _columns_under(model: Model, mesh: Mesh, factors: Factors, followed_zones: C
         share = shares(mesh.xy, model.zone_rings, followed_zones, max(model.sides))
         element, zone = np.nonzero(share)
         part, listed = share[element, zone], tables[zone]
+    if has_cut_layers(model):
+        listed = cut_off(listed, deeper_at(model, centres)[element])
     for name, factor in factors.items():
         layer, columns = _place_of(name, model)
         listed[:, layer, columns] *= np.broadcast_to(factor(*coordinates), len(centres))[element, None]
     rows, of = np.unique(listed.reshape(len(listed), -1), axis=0, return_inverse=True)
     return rows.reshape(-1, *tables.shape[1:]), Parts(element, of.ravel(), part)
+
+
+def has_cut_layers(model: Model) -> bool:
+    """Return whether pits cut off what lies above them of layers with a thickness."""
+    soil = all(isinstance(layer, SoilLayer) for layer in getattr(model.ground, "layers", (None,)))
+    return soil and not isinstance(model.ground, ContinuousGround) and any(map(pits_of, model.every_plate))
+
+
+def deeper_at(model: Model, places: Array) -> Array:
+    """Return how much deeper the underside of pits lies than that of the slab at places (p, 2) (p,) [m]."""
+    from shapely import contains_xy
+
+    deeper = np.zeros(len(places))
+    for plate in model.every_plate:
+        for pit in pits_of(plate):
+            deeper[contains_xy(pit.area(chord_of(plate)), *places.T)] = pit.deeper
+    return deeper
+
+
+def cut_off(tables: Array, depth: Array) -> Array:
+    """Return tables of soil layers (e, L, 5) without what of them lies above depths (e,) [m].
+
+    E = c0 + c1 s + c2 s^2 over a layer is, from the share a of it on, with s = a + (1 - a) r,
+    (c0 + c1 a + c2 a^2) + (c1 + 2 c2 a) (1 - a) r + c2 (1 - a)^2 r^2.
+    """
+    h, c0, c1, c2, nu = np.moveaxis(tables, -1, 0)
+    off = np.clip(depth[:, None] - (np.cumsum(h, axis=1) - h), 0.0, h)
+    a = np.divide(off, h, out=np.zeros_like(h), where=h > 0)
+    return np.stack([h - off, c0 + a * (c1 + a * c2), (c1 + 2 * c2 * a) * (1 - a), c2 * (1 - a) ** 2, nu], axis=-1)
 
 
 def _place_of(name: str, model: Model) -> tuple[int, slice]:

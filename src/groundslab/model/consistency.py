@@ -43,13 +43,15 @@ from groundslab.model.loads.placement import (
     check_point_loads,
     on_plate,
 )
-from groundslab.model.outputs import check_output, check_wall_limits
+from groundslab.model.outputs import Output, check_output, check_wall_limits
 from groundslab.model.plate import Plate
 from groundslab.model.plates.joints import AnyJoint, check_joints
 from groundslab.model.plates.other_plates import FurtherPlate, bounds_of, check_plates, list_plates, shared_line
+from groundslab.model.plates.pits import check_pits, chord_of, pits_of
 from groundslab.model.plates.region import PlateRegion
 from groundslab.model.reactions import check_reactions
 from groundslab.model.settings import SIDES, Beyond, Contact, Mesh
+from groundslab.model.structure.beams import Beam
 from groundslab.model.structure.building import check_building
 from groundslab.model.structure.columns import Column
 from groundslab.model.structure.cores import Core, check_cores
@@ -205,6 +207,22 @@ def check_columns(
     covered = PlateRegion(plate, plates)
     for position, column in enumerate(columns):
         yield from on_plate(covered, column, ("columns", position))
+
+
+def check_over_pits(
+    plate: Plate, plates: tuple[FurtherPlate, ...], beams: tuple[Beam, ...], output: Output
+) -> Iterator[RelativeIssue]:
+    """Find beams, and strips designed as beams, that run into pits: what joins their parts there is not known."""
+    pits = [(pit.area(chord_of(slab)), chord_of(slab)) for slab in list_plates(plate, plates) for pit in pits_of(slab)]
+    expected, hint = "one that ends at the pit, or none", "its parts lie at different levels there"
+    for area, chord in pits:
+        for number, beam in enumerate(beams):
+            if beam.to_shapely(chord).intersects(area.buffer(-2 * chord)):
+                yield RelativeIssue(("beams", number), "a beam across a pit", expected, hint)
+        for number, strip in enumerate(output.strips):
+            if strip.design == "beam" and strip.area().intersects(area.buffer(-2 * chord)):
+                place = ("output", "strips", number, "design")
+                yield RelativeIssue(place, '"beam" across a pit', expected, hint)
 
 
 def check_walls(plate: Plate, plates: tuple[FurtherPlate, ...], walls: tuple[Wall, ...]) -> Iterator[RelativeIssue]:
@@ -367,6 +385,7 @@ def check_glued_joints(
 #: Of plates, joints and their mesh.
 PLATES: tuple[Check, ...] = (
     check_plates,
+    check_pits,
     check_joints,
     check_axes,
     check_sections_with_plates,
@@ -401,6 +420,7 @@ MEMBERS: tuple[Check, ...] = (
     check_walls,
     check_walls_of_cores,
     check_members,
+    check_over_pits,
     check_building,
     check_supports,
     check_supports_on_joints,
@@ -413,6 +433,7 @@ GROUND: tuple[Check, ...] = (
     varying_ground.check_soil_zone_types,
     varying_ground.check_soil_zone_extent,
     varying_ground.check_soil_depth,
+    varying_ground.check_pit_depth,
     varying_ground.check_boreholes,
 )
 #: Of what is asked of the results.

@@ -26,7 +26,7 @@ from groundslab.model.loads.lines import LineLoad, LineMoment
 from groundslab.model.loads.load_cases import Combination, Combine, LoadCase
 from groundslab.model.loads.load_types import AnyLoad, Load, PointLoad, SelfWeight
 from groundslab.model.loads.patterns import Move, Pattern
-from groundslab.model.loads.placement import weights_of
+from groundslab.model.loads.placement import weights_of, weights_of_pits
 from groundslab.model.long_term import LongTerm, scale_stiffnesses
 from groundslab.model.outputs import Output, Project, Report
 from groundslab.model.plate import Plate
@@ -247,8 +247,9 @@ class Model(Section):
         if isinstance(load, CoreLoad):
             core = next(core for core in self.cores if core.name == load.core)
             return load.acts_on(section_of(core, self.walls, self.every_plate))
-        if isinstance(load, SelfWeight) and load.beams:
-            return *load.acts, *weights_of(self.beams, self.plate, self.plates, load)
+        if isinstance(load, SelfWeight):
+            beams = weights_of(self.beams, self.plate, self.plates, load) if load.beams else ()
+            return *load.acts, *beams, *weights_of_pits(self.plate, self.plates, load)
         return load.acts
 
     @property

@@ -1,4 +1,4 @@
-"""Plate: outline, openings, zones, material, element, supported edges."""
+"""Plate: outline, openings, zones, pits among them, material, element, supported edges."""
 
 from __future__ import annotations
 
@@ -13,6 +13,7 @@ from groundslab.schema.base import Check, Section
 from groundslab.schema.fields import Choice, Number, Quantity, Text
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.ranges import Range
+from groundslab.schema.repairs import remove
 from groundslab.schema.section_fields import Table
 from groundslab.schema.wording import quote
 
@@ -23,19 +24,32 @@ THERMAL_EXPANSION = Quantity(
     "strain per temperature", "alpha_T", "strain per temperature; of concrete by default", POSITIVE, example="1e-5 1/K"
 )
 
+#: Deepest level of a pit [m], and the thickest wall of one.
+DEEPEST_LEVEL, THICKEST_WALL = -30.0, 3.0
+
 Element = Literal["mitc9", "q9", "heterosis"]
 Support = Literal["free", "hinged", "soft", "clamped"]
 
 
-def _check_zone_differs(thickness: float | None, E: float | None, nu: float | None) -> Iterator[RelativeIssue]:
-    if thickness is None and E is None and nu is None:
-        yield RelativeIssue((), "a zone like the rest of the plate", "a different thickness, E or nu")
+def _check_zone_differs(
+    thickness: float | None, E: float | None, nu: float | None, level: float | None
+) -> Iterator[RelativeIssue]:
+    if thickness is None and E is None and nu is None and level is None:
+        yield RelativeIssue((), "a zone like the rest of the plate", "a different thickness, E, nu or level")
+
+
+def _check_wall(level: float | None, wall: float | None) -> Iterator[RelativeIssue]:
+    if level is not None and wall is None:
+        yield RelativeIssue(("wall",), "nothing, with a level", 'the thickness of the pit\'s walls, such as "0.3 m"')
+    elif level is None and wall is not None:
+        hint, repairs = "walls stand around a part that lies lower", (remove(("wall",)),)
+        yield RelativeIssue(("wall",), "walls without a level", 'a level such as "-1.2 m"', hint, repairs)
 
 
 class Zone(Section):
-    """A part of the plate with another thickness or material; the last zone that covers a place counts."""
+    """A part of the plate with another thickness, material or level; the last zone that covers a place counts."""
 
-    constraints: ClassVar[tuple[Check, ...]] = (_check_zone_differs,)
+    constraints: ClassVar[tuple[Check, ...]] = (_check_zone_differs, _check_wall)
 
     shape: Annotated[Shape, Table("where; what reaches over the plate's edge is cut off")]
     thickness: Annotated[
@@ -45,6 +59,27 @@ class Zone(Section):
         float | None, Quantity("pressure", "E", "Young's modulus there; else the plate's", POSITIVE, example="30 GPa")
     ] = None
     nu: Annotated[float | None, Number("nu", "Poisson's ratio there; else the plate's", POISSON)] = None
+    level: Annotated[
+        float | None,
+        Quantity(
+            "length",
+            "z",
+            "top side of a pit, measured from that of the slab around it, negative below; the shape is that of the "
+            "axes of the pit's walls",
+            Range(at_least=DEEPEST_LEVEL, below=0),
+            example="-1.2 m",
+        ),
+    ] = None
+    wall: Annotated[
+        float | None,
+        Quantity(
+            "length",
+            "t_w",
+            "thickness of a pit's walls, which weigh and join it to the slab around",
+            Range(above=0, at_most=THICKEST_WALL),
+            example="0.3 m",
+        ),
+    ] = None
 
 
 class Edges(Section):
@@ -131,7 +166,7 @@ class Plate(Section):
     ] = None
     outline: Annotated[Shape | None, Table("outline of any shape, instead of length_x and length_y")] = None
     openings: Annotated[tuple[Shape, ...], Table("what is cut out of the plate")] = ()
-    zones: Annotated[tuple[Zone, ...], Table("parts with another thickness or material")] = ()
+    zones: Annotated[tuple[Zone, ...], Table("parts with another thickness, material or level")] = ()
     thickness: Annotated[float, Quantity("length", "t", "thickness", POSITIVE, example="0.4 m")]
     E: Annotated[float, Quantity("pressure", "E", "Young's modulus", POSITIVE, example="30 GPa")]
     nu: Annotated[float, Number("nu", "Poisson's ratio", POISSON)]

@@ -19,6 +19,8 @@ from groundslab.model.ground import (
     Vlasov,
 )
 from groundslab.model.plate import Plate
+from groundslab.model.plates.other_plates import FurtherPlate, list_plates
+from groundslab.model.plates.pits import pits_of
 from groundslab.model.shapes import AnyShape, Shape
 from groundslab.schema.base import Check, Section
 from groundslab.schema.fields import Quantity, Text
@@ -36,6 +38,8 @@ if TYPE_CHECKING:
 FARTHEST = 1000
 #: The base lies no deeper than so many lengths of the plate's longer side: modes have an element for each decay.
 DEEPEST = 2000
+#: Pits cut off no larger share of the layers of soil.
+DEEPEST_PIT = 0.9
 
 
 class SoilZone(Section):
@@ -112,6 +116,32 @@ def check_soil_depth(plate: Plate, ground: AnyGround, boreholes: tuple[Borehole,
         if depth > most:
             expected = f"at most {most:g} m, {DEEPEST} times the plate's longer side"
             yield RelativeIssue(place, f"layers of {depth:g} m", expected, "leave out what lies too deep to matter")
+
+
+def check_pit_depth(
+    plate: Plate,
+    plates: tuple[FurtherPlate, ...],
+    ground: AnyGround,
+    soil_zones: tuple[SoilZone, ...],
+    boreholes: tuple[Borehole, ...],
+) -> Iterator[RelativeIssue]:
+    """Find pits that reach the base of the layers of soil, at some place at which these are described."""
+    described = [getattr(soil, "layers", ()) for soil in (ground, *(zone.ground for zone in soil_zones))]
+    described = [hole.layers for hole in boreholes] or described
+    if getattr(ground, "half_space", None) is not None:
+        return
+    depths = [
+        sum(layer.thickness for layer in layers)
+        for layers in described
+        if layers and all(isinstance(layer, SoilLayer) for layer in layers)
+    ]
+    for position, slab in enumerate(list_plates(plate, plates), start=-1):
+        path = ("plate",) if position < 0 else ("plates", position)
+        for pit in pits_of(slab):
+            if depths and pit.deeper >= DEEPEST_PIT * min(depths):
+                found = f"an underside {pit.deeper:g} m deeper than the slab's, in layers of {min(depths):g} m"
+                expected = f"at most {DEEPEST_PIT * min(depths):g} m, so that soil is left below it"
+                yield RelativeIssue((*path, "zones", pit.number - 1, "level"), found, expected)
 
 
 def check_boreholes(

@@ -365,7 +365,7 @@ class GroundResult:
             If the ground is no continuum, or if a point lies above its surface or below its base.
         """
         if self.cells is not None and not self.cells.settles_alike:
-            raise InputError([Issue("ground", "layers that differ between boreholes", "the same layers everywhere")])
+            raise InputError([Issue("ground", "layers that differ from place to place", "the same layers everywhere")])
         return self._in_depth(0, x, y, z)
 
     def stress_at(self, x: ArrayLike, y: ArrayLike, z: ArrayLike) -> Array:

@@ -48,6 +48,8 @@ OF_KEYS = {
     "Bars.diameter": (0.006, 0.04),
     "Bars.spacing": (0.05, 0.4),
     "Limits.settlement": (0.005, 0.1),
+    "Zone.level": (-3.0, -0.5),
+    "Zone.wall": (0.15, 1.0),
 }
 
 
@@ -126,9 +128,10 @@ def test_every_list_of_fixed_length_names_its_members() -> None:
         ("2.5 MPa", "pressure", "400 psi"),
         ("40 mm", "length", "1.5 in"),
         ("12 m", "length", "40 ft"),
+        ("-1.2 m", "length", "-4 ft"),
         ("15 K", "temperature difference", "15 K"),
     ],
 )
 def test_customary_examples(text: str, dimension: str, customary: str) -> None:
-    """Examples are round in units customary in the United States: 4351 ksi, 209 psf, 363 psi, 1.57 in and 39.4 ft."""
+    """Examples are round in units customary in the United States: 4351 ksi, 209 psf, 363 psi, 1.57 in, 39.4 ft ..."""
     assert customary_example(text, dimension) == customary

@@ -30,6 +30,7 @@ OF_FEW = {
     "pad",
     "raft_on_continuum",
     "raft_under_a_frame",
+    "raft_with_pit",
     "ribbed_raft",
 }
 

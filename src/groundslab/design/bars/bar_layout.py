@@ -1,8 +1,8 @@
 """The straight bars of a slab one by one: where each lies, how long it is, and what all of them weigh.
 
 Bars of a set lie as far apart as is given or a little closer at both borders: over a width b there are n = ceil(b / s)
-of them, the outer ones (b - (n - 1) s) / 2 from the borders. Each is cut by the outline, by openings and by the border
-of its zone. `detailing/positions` cuts and laps them.
+of them, the outer ones (b - (n - 1) s) / 2 from the borders. Each is cut by the outline, by openings, by steps at pits
+and by the border of its zone. `detailing/positions` cuts and laps them.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from groundslab.arrays import Array
 from groundslab.model.design.bars import Bars
 from groundslab.model.design.laid_bars import polygon_of
 from groundslab.model.model import Model
-from groundslab.model.plates.region import PlateRegion
+from groundslab.model.plates.region import get_plate_region
 from groundslab.results.fields import LAYERS
 
 if TYPE_CHECKING:
@@ -53,9 +53,11 @@ class BarSet:
 
 def bar_sets(model: Model) -> list[BarSet]:
     """Return all bars that are laid, layer by layer: first those all over the slab, then zone by zone."""
-    steel, plan = model.reinforcement, PlateRegion(model.plate, model.plates).area
+    steel = model.reinforcement
     if steel is None or not steel.laid:
         return []
+    covered = get_plate_region(model.plate, model.plates)
+    plan, steps = covered.area, covered.steps
     layout = []
     for layer in LAYERS:
         base = steel.base_bars(layer)
@@ -67,13 +69,16 @@ def bar_sets(model: Model) -> list[BarSet]:
             if layer in zone.layers
         ]
         for name, mesh, bars, region in sets:
-            ends = straight_bars(region, "xy".index(layer[-1]), bars.spacing)
+            ends = straight_bars(region, "xy".index(layer[-1]), bars.spacing, steps)
             layout.append(BarSet(layer, name, mesh, bars, region, ends))
     return layout
 
 
-def straight_bars(region: BaseGeometry, axis: int, spacing: float) -> Array:
-    """Return the ends (k, 2, 2) [m] of bars along an axis in a region, from the lowest upwards."""
+def straight_bars(region: BaseGeometry, axis: int, spacing: float, steps: BaseGeometry | None = None) -> Array:
+    """Return the ends (k, 2, 2) [m] of bars along an axis in a region, from the lowest upwards.
+
+    They end at steps, if there are any.
+    """
     from shapely import bounds as bounds_of
     from shapely import get_parts, intersection, length, line_merge, linestrings
 
@@ -86,4 +91,19 @@ def straight_bars(region: BaseGeometry, axis: int, spacing: float) -> Array:
     # along an edge of the region a line is cut at its corners, and so joined again
     cut = get_parts(line_merge(intersection(linestrings(lines), region)))
     ends = bounds_of(cut[length(cut) > SHORTEST]).reshape(-1, 2, 2)
+    ends = ends if steps is None else _cut_at(steps, ends, axis)
     return np.asarray(ends[np.lexsort((ends[:, 0, axis], ends[:, 0, 1 - axis]))])
+
+
+def _cut_at(steps: BaseGeometry, ends: Array, axis: int) -> Array:
+    """Return bars (k, 2, 2) [m] along an axis, cut where they cross steps; one along a step is cut at its corners."""
+    from shapely import get_coordinates, intersection, linestrings
+
+    places, bar = get_coordinates(intersection(linestrings(ends), steps), return_index=True)
+    cut = list[Array]()
+    for number, one in enumerate(ends):
+        stops = np.unique([*one[:, axis], *places[bar == number, axis].clip(*one[:, axis])])
+        parts = np.repeat(one[None, :1], len(stops) - 1, axis=0).repeat(2, axis=1)
+        parts[:, :, axis] = np.stack([stops[:-1], stops[1:]], axis=1)
+        cut.append(parts[np.diff(stops) > SHORTEST])
+    return np.concatenate(cut)

@@ -3,7 +3,7 @@
 A bar that ends counts in full where it goes on by its anchorage length and the shift of moments, and in proportion
 before (EN 1992-1-1 8.4, 9.2.1.3; ACI 318-19 25.4.2, 7.7.3). Bars that run all over the slab, and bars of zones at the
 slab's edges, end at edges, where U-shaped bars hold them; where the case says that there are none, these are developed
-from the edge on, too.
+from the edge on, too. Steps at pits are edges of what lies at either level.
 """
 
 from __future__ import annotations
@@ -16,6 +16,7 @@ import numpy as np
 from groundslab.arrays import Array, Flags, Integers
 from groundslab.design.bars.required_bars import largest_areas, required_areas
 from groundslab.design.codes.registry import code_of
+from groundslab.design.demands.by_plate import nodes_at
 from groundslab.design.rules.calculation import Step
 from groundslab.design.rules.check import DesignCheck
 from groundslab.design.rules.combinations import ultimate_results
@@ -52,7 +53,8 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
     plate = results[0].plate
     thickness = results[0].elements.at_nodes(plate)[0]
     required = required_areas(steel, results)
-    slab = get_plate_region(combined.model.plate, combined.model.plates).area
+    covered = get_plate_region(combined.model.plate, combined.model.plates)
+    levels = [(level, nodes_at(results[0], level)) for level in covered.levels]
     worst: tuple[float, int, _Layer, Array, list[_Developed]] | None = None
     for layer in LAYERS:
         zones = [zone for zone in steel.zones if layer in zone.layers]
@@ -60,9 +62,13 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
             continue
         needed = largest_areas(required, layer)[0]
         laid = laid_bars(steel, layer, plate.nodes)
-        ending = _Layer(layer, steel, rule, laid, plate.nodes, thickness, slab)
-        sets = [ending.base()]
-        sets += [ending.developed(zone.bars, polygon_of(zone.shape.ring()).intersection(slab)) for zone in zones]
+        ending = [_Layer(layer, steel, rule, laid, plate.nodes, thickness, *level) for level in levels]
+        sets = [part.base() for part in ending]
+        sets += [
+            part.developed(zone.bars, polygon_of(zone.shape.ring()).intersection(part.slab))
+            for zone in zones
+            for part in ending
+        ]
         developed = np.sum([each.area for each in sets], axis=0)
         # bars that are too few by themselves are told by the check of areas
         judged = (needed > 0) & (needed <= laid.area)
@@ -70,7 +76,7 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
         used = np.where(judged, used, 0.0)
         node = int(np.argmax(used))
         if worst is None or used[node] > worst[0]:
-            worst = float(used[node]), node, ending, needed, sets
+            worst = float(used[node]), node, ending[0], needed, sets
     if worst is not None:
         yield _check(*worst)
 
@@ -142,7 +148,8 @@ class _Layer(NamedTuple):
     laid: LaidBars
     nodes: Array  # (n, 2) [m]
     thickness: Array  # (n,) [m]
-    slab: BaseGeometry
+    slab: BaseGeometry  # what of the slab lies at one level
+    there: Flags  # (n,): which nodes lie at that level
 
     @property
     def held(self) -> bool:
@@ -155,12 +162,11 @@ class _Layer(NamedTuple):
         assert bars is not None
         if not self.held:
             return self.developed(bars, self.slab)
-        count = len(self.nodes)
-        return _Developed(bars, np.full(count, bar_area(bars)), np.full(count, np.inf))
+        return _Developed(bars, np.where(self.there, bar_area(bars), 0.0), np.where(self.there, np.inf, -1.0))
 
     def developed(self, bars: Bars, region: BaseGeometry) -> _Developed:
         """Return what of bars in a region of the slab is developed at the nodes."""
-        inside, before, after = _to_ends(self.slab, region, self.name, self.nodes)
+        inside, before, after = _to_ends(self.slab, region, self.name, self.nodes, self.there)
         developed, to_end = np.zeros(len(self.nodes)), np.full(len(self.nodes), -1.0)
         if not len(inside):
             return _Developed(bars, developed, to_end)
@@ -178,13 +184,17 @@ class _Layer(NamedTuple):
 
 
 def _to_ends(
-    slab: BaseGeometry, region: BaseGeometry, layer: str, nodes: Array
+    slab: BaseGeometry, region: BaseGeometry, layer: str, nodes: Array, there: Flags
 ) -> tuple[Integers, tuple[Array, Flags], tuple[Array, Flags]]:
-    """Return the nodes in a region (k,), how far bars go on on both sides [m], and whether to the slab's edge."""
+    """Return the nodes in a region (k,), how far bars go on on both sides [m], and whether to the slab's edge.
+
+    Only nodes that are there (n,) count.
+    """
     from shapely import distance, get_coordinates, get_parts, intersection, length, linestrings, points
 
     axis = "xy".index(layer[-1])
-    inside = np.flatnonzero(distance(points(nodes), region) <= OFF_CHORD) if region.area else np.empty(0, dtype=int)
+    near = (distance(points(nodes), region) <= OFF_CHORD) & there if region.area else np.zeros(len(nodes), dtype=bool)
+    inside = np.flatnonzero(near)
     if not len(inside):
         nothing = np.empty(0), np.empty(0, dtype=bool)
         return inside, nothing, nothing

@@ -11,7 +11,7 @@ from functools import partial
 
 import numpy as np
 
-from groundslab.design.bars import beam_bars, required_bars, wall_bars
+from groundslab.design.bars import beam_bars, pit_walls, required_bars, wall_bars
 from groundslab.design.bars.members import members_of
 from groundslab.design.checks import pulling, punching
 from groundslab.design.codes.registry import code_of
@@ -21,10 +21,17 @@ from groundslab.design.rules.combinations import UNFACTORED, ultimate_results, w
 from groundslab.design.rules.demand_errors import error_of_ratio, scaled
 from groundslab.design.rules.design_code import BeamRule, DesignCode, no_rule
 from groundslab.messages import Clause, Message, Name, joined
+from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.model.loads.load_cases import STRENGTH
 from groundslab.model.structure.beams import GivenSection
 from groundslab.model.supports import Pile
 from groundslab.results.results import Results
+
+#: What is left to the engineer at pits.
+PIT_WALLS = (
+    "design by hand what is not checked: pressure of earth and water on the walls, their bars along, the bars of their "
+    "corners with floor and slab, in which all bars of the slab must be anchored, and shear across the step"
+)
 
 
 def checks(combined: Results) -> Iterator[DesignCheck]:
@@ -48,6 +55,7 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
         yield DesignCheck("piles", "not checked", "the strength of the piles themselves is not checked")
     if any(wall.height is not None for wall in combined.model.walls):
         yield from _walls(combined, code)
+    yield from _pits(combined)
     if combined.model.beams or members_of(combined.model):
         yield from _beams(combined, code)
     if without_partial_factors(combined):
@@ -122,6 +130,50 @@ def _walls(combined: Results, code: DesignCode) -> Iterator[DesignCheck]:
         yield from judge_apart(needs, lambda need: need.wall, combined.model.checks.off, judge)
     words = "ties, forces along and across, ends, openings and joints of walls with a height are not designed"
     yield DesignCheck("rest of walls", "not checked", words)
+
+
+def _pits(combined: Results) -> Iterator[DesignCheck]:
+    """Yield whether walls of pits bear what floor and slab hand over at them, and what of pits is not designed."""
+    steel = combined.model.reinforcement
+    assert steel is not None
+    judge = partial(_pit_walls, steel)
+    needs = pit_walls.pit_wall_needs(combined, steel)
+    if needs:
+        yield from judge_apart(needs, lambda need: need.name, combined.model.checks.off, judge)
+
+
+def _pit_walls(steel: Reinforcement, needs: list[pit_walls.PitWallNeed]) -> Iterator[DesignCheck]:
+    """Yield whether walls of pits bear the moments of the slab, which needs attention even then."""
+    worst = max(needs, key=lambda need: (need.area, need.design_moment))
+    code, weak = code_of(steel), bool(np.isinf(worst.area))
+    words: str = Message(
+        '{moment:.4g kNm/m} at {place:.3f m} in "{combination}" bend its walls, {wall:g m} thick',
+        moment=worst.design_moment / 1e3, place=worst.place, combination=Name(worst.combination), wall=worst.wall,
+    )  # fmt: skip
+    if weak:
+        words = joined((words, "their concrete is too weak for any reinforcement"), "; ")
+    else:
+        words += Message(": {area:.3g cm2/m} of bars upright at either face", area=worst.area * 1e4)
+    yield DesignCheck(
+        "walls of pits", "fails" if weak else "attention", joined((words, PIT_WALLS), "; "), of=worst.name,
+        combination=worst.combination, place=worst.place, clause=f"{code.name} {code.clauses.bars}",
+        steps=tuple(_pit_steps(steel, worst)),
+    )  # fmt: skip
+
+
+def _pit_steps(steel: Reinforcement, need: pit_walls.PitWallNeed) -> Iterator[Step]:
+    """Yield the calculation of the upright bars of a pit's walls, without these where the concrete is too weak."""
+    yield Step("thickness of the wall", "t_w", need.wall, "m")
+    yield Step("distance of the bars' axis from the face", "a_w", need.axis, "m")
+    yield Step("effective depth", "d_w", need.d, "m", "t_w - a_w")
+    yield Step("moment that floor and slab hand over", "m_n", need.moment / MEGA, "MNm/m")
+    yield Step("twist beside it", "m_nt", need.twist / MEGA, "MNm/m")
+    yield Step("force by which the floor hangs on the wall", "q_n", need.pull / MEGA, "MN/m")
+    formula = "abs(m_n) + abs(m_nt) + max(q_n, 0) * d_w / 2"
+    yield Step("moment", "m_Ed", need.design_moment / MEGA, "MNm/m", formula)
+    by_steps = code_of(steel).bars_by_steps
+    if np.isfinite(need.area) and by_steps is not None:
+        yield from by_steps(steel, need.bars, need.limit_state)
 
 
 def _struts(combined: Results, clause: str, needs: list[wall_bars.WallNeed]) -> Iterator[DesignCheck]:

@@ -1,24 +1,29 @@
-"""The results of several plates, plate by plate."""
+"""The results of several plates, plate by plate, and of what of them lies at one level."""
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import fields, replace
 from functools import lru_cache
 from operator import attrgetter
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from groundslab.arrays import Array, Flags, Integers, made_once_by
+from groundslab.arrays import Array, Flags, Integers, made_once, made_once_by
 from groundslab.messages import Message
 from groundslab.model.loads.acting import PlateAction, PointForce
 from groundslab.model.loads.load_types import AnyLoad
 from groundslab.model.model import Model
 from groundslab.model.plate import Plate
 from groundslab.model.plates.other_plates import AnyPlate, first_sections
-from groundslab.model.plates.region import PlateRegion
+from groundslab.model.plates.pits import pits_of
+from groundslab.model.plates.region import PlateRegion, get_plate_region
 from groundslab.results.plate_result import ElementResult, PlateResult
 from groundslab.results.results import CombinationResult, Comparison
+
+if TYPE_CHECKING:
+    from shapely.geometry.base import BaseGeometry
 
 
 def results_by_plate(results: CombinationResult) -> dict[str, PlateResult]:
@@ -109,10 +114,54 @@ def _acts_on(load: AnyLoad, number: int, plate: AnyPlate, model: Model, region: 
 
 
 def plate_under(results: CombinationResult, x: float, y: float) -> PlateResult:
-    """Return the results of the plate that a place [m] lies on, as if there were no other."""
+    """Return the results of the plate that a place [m] lies on, as if there were no other.
+
+    They are those of what lies at its level: a pit, or all around pits, which bars and perimeters do not leave.
+    """
     model = results.model
     number = PlateRegion(model.plate, model.plates).plate_at((x, y)) if model.plates else 0
-    return list(results_by_plate(results).values())[number]
+    plate = list(results_by_plate(results).values())[number]
+    if not pits_of(model.every_plate[number]):
+        return plate
+    region = get_plate_region(model.plate, model.plates)
+    return _parts_at_levels(plate, region)[region.levels.index(region.level_at((x, y)))]
+
+
+@made_once
+def _parts_at_levels(plate: PlateResult, region: PlateRegion) -> tuple[PlateResult, ...]:
+    """Return the results of what of a plate lies at each level of a region, empty where nothing does."""
+    return tuple(plate.part(_at_level(plate, level)) for level in region.levels)
+
+
+def split_by_level(results: CombinationResult) -> Iterator[CombinationResult]:
+    """Yield the results of what of a single plate lies at one level: all around its pits, then each pit."""
+    model = results.model
+    levels = get_plate_region(model.plate, model.plates).levels
+    if len(levels) == 1:
+        yield results
+        return
+    for level in levels:
+        those = _at_level(results.plate, level)
+        yield replace(
+            results,
+            plate=results.plate.part(those),
+            elements=_part_of(results.elements, those),
+            comparison=_part_of_comparison(results.comparison, results.plate.elements, those),
+        )
+
+
+def nodes_at(results: CombinationResult, level: BaseGeometry) -> Flags:
+    """Return which nodes (n,) of the plates lie in what is at one level; those at its steps stand once for each."""
+    there = np.zeros(len(results.plate.nodes), dtype=bool)
+    there[results.plate.elements[_at_level(results.plate, level)]] = True
+    return there
+
+
+def _at_level(plate: PlateResult, level: BaseGeometry) -> Flags:
+    """Return which elements (m,) lie in an area at one level, whose borders the mesh follows."""
+    from shapely import contains_xy
+
+    return np.asarray(contains_xy(level, *plate.nodes[plate.elements[:, -1]].T))
 
 
 @made_once_by(attrgetter("plate.nodes", "plate.elements"))

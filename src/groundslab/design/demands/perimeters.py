@@ -203,7 +203,7 @@ def surroundings(plate: PlateResult, column: Footprint, within: float, openings:
     rounding = same_place(x0, x1, y0, y1)
     if footprint.area == 0 or not plan.buffer(rounding).covers(footprint):
         where = Message("a column at {center:at m}", center=get_coordinates(footprint.centroid)[0])
-        raise InputError([Issue("column", where, "a footprint that lies on the plate")])
+        raise InputError([Issue("column", where, "a footprint that lies on the plate, on one level of it")])
     a0, b0, a1, b1 = footprint.bounds
     reach = 3 * (within + max(a1 - a0, b1 - b0))
     part = box(a0 - reach, b0 - reach, a1 + reach, b1 + reach)

@@ -29,7 +29,7 @@ def find_limit_depth(ground: ConstrainedModulus, cells: Cells, load: float) -> f
     middle = cells.area @ cells.center / area
     r2 = ((cells.center - middle) ** 2).sum(axis=1)
     stress = np.array([3 * d**3 / (2 * np.pi) * (cells.area * (r2 + d**2) ** -2.5).sum() for d in z]) * pressure
-    ratio = stress / _overburden(ground, z)
+    ratio = stress / overburden(ground, z)
     below = np.flatnonzero(ratio > ground.limit_ratio)
     last = below[-1] if len(below) else 0
     if last == len(z) - 1:
@@ -38,8 +38,8 @@ def find_limit_depth(ground: ConstrainedModulus, cells: Cells, load: float) -> f
     return float(np.exp(np.interp(0.0, -steps, np.log(z[last : last + 2]))))
 
 
-def _overburden(ground: ConstrainedModulus, z: Array) -> Array:
-    """Return the effective overburden at depths z (n,) below the slab [Pa]."""
+def overburden(ground: ConstrainedModulus, z: Array) -> Array:
+    """Return the effective overburden at depths z (n,) below the slab [Pa]; the soil must have a weight."""
     assert ground.unit_weight is not None
     if ground.groundwater is None or ground.unit_weight_below_water is None:
         return ground.relief + ground.unit_weight * z

@@ -7,9 +7,9 @@ import math
 import numpy as np
 
 from groundslab.arrays import Array
-from groundslab.discretize.continuum.limit_depth import find_limit_depth
+from groundslab.discretize.continuum.limit_depth import find_limit_depth, overburden
 from groundslab.discretize.continuum.piles import pile_group
-from groundslab.discretize.ground import medium_of
+from groundslab.discretize.ground import deeper_at, medium_of
 from groundslab.discretize.interpolation import interpolate_linearly, interpolate_smoothly
 from groundslab.discretize.plan_layout import Layout
 from groundslab.errors import InputError, Issue
@@ -23,8 +23,8 @@ from groundslab.fem.problem import Loading, W
 from groundslab.fem.shape_functions import areas
 from groundslab.model.ground import ConstrainedModulus, ContinuousGround
 from groundslab.model.model import Model
+from groundslab.model.plates.pits import pits_of
 from groundslab.model.shapes import CHORD
-from groundslab.model.varying_ground import Borehole
 
 #: Cells along the side of an element of mean area.
 CELLS_PER_SIDE = 2
@@ -59,11 +59,11 @@ def elastic_ground(
     depth = find_limit_depth(ground, cells, load) if isinstance(ground, ConstrainedModulus) else None
     medium = medium_of(ground, ground.layers, depth or math.inf)
     columns = None
-    if model.boreholes:
-        columns = _columns(ground, model.boreholes, medium, grid, cells, depth or math.inf)
+    if model.boreholes or (isinstance(ground, ConstrainedModulus) and any(map(pits_of, model.every_plate))):
+        columns = _columns(ground, model, medium, grid, cells, depth or math.inf)
     return ElasticGround(
         medium, cells, make_operator(medium, grid), _gaps(model, cells, np.where(np.isinf(void), 0.0, void)),
-        np.where(np.isinf(void), 0.0, limit * cells.area), columns, _relief(ground, cells), depth,
+        np.where(np.isinf(void), 0.0, limit * cells.area), columns, _relief(model, cells), depth,
         pile_group(model, bearing, cells),
     )  # fmt: skip
 
@@ -84,17 +84,21 @@ def _gaps(model: Model, cells: Cells, void: Array) -> Array:
     return gap
 
 
-def _columns(
-    ground: ContinuousGround, holes: tuple[Borehole, ...], mean: Medium, grid: Grid, cells: Cells, depth: float
-) -> Columns:
-    """Return the columns of boreholes, between which settlements are interpolated as layers are elsewhere."""
-    media = tuple(medium_of(ground, hole.layers, depth) for hole in holes)
-    at_holes = np.array([(hole.x, hole.y) for hole in holes])
+def _columns(ground: ContinuousGround, model: Model, mean: Medium, grid: Grid, cells: Cells, depth: float) -> Columns:
+    """Return the columns of boreholes, between which settlements are interpolated as layers are elsewhere.
+
+    Under pits they begin at the undersides of these.
+    """
+    holes = [hole.layers for hole in model.boreholes] or [ground.layers]
+    at_holes = np.array([(hole.x, hole.y) for hole in model.boreholes] or [(0.0, 0.0)])
+    levels = np.unique([0.0, *(pit.deeper for plate in model.every_plate for pit in pits_of(plate))])
+    media = tuple(medium_of(ground, layers, depth, above) for above in levels.tolist() for layers in holes)
 
     def weights_at(places: Array) -> Array:
-        weights = interpolate_linearly(at_holes, np.eye(len(holes)), places)
-        normalized: Array = weights / weights.sum(axis=1, keepdims=True)
-        return normalized
+        weights = interpolate_linearly(at_holes, np.eye(len(holes)), places) if model.boreholes else np.ones((1, 1))
+        of_level = np.searchsorted(levels, deeper_at(model, places))[:, None] == np.arange(len(levels))
+        normalized: Array = of_level[:, :, None] * (weights / weights.sum(axis=1, keepdims=True))[:, None, :]
+        return normalized.reshape(len(places), -1)
 
     weights = weights_at(cells.center)
     # waves as long as the plate settle most
@@ -104,11 +108,15 @@ def _columns(
     return Columns(media, operators, weights_at, weights, np.sqrt(weights @ ratios))
 
 
-def _relief(ground: ContinuousGround, cells: Cells) -> Relief | None:
-    """Return what the excavation has taken off."""
+def _relief(model: Model, cells: Cells) -> Relief | None:
+    """Return what the excavation has taken off: under a pit also the soil above it, where its weight is given."""
+    ground = model.ground
     if not isinstance(ground, ConstrainedModulus) or ground.reloading is None:
         return None
-    return Relief(ground.relief * cells.area, ground.reloading)
+    relief = np.full(len(cells.center), ground.relief)
+    if ground.unit_weight is not None:
+        relief = overburden(ground, deeper_at(model, cells.center))
+    return Relief(relief * cells.area, ground.reloading)
 
 
 def _depths(model: Model, places: Array, finest: bool) -> Array:

@@ -39,7 +39,7 @@ class PressedCells:
     layers : (L, 3) array of float
         Young's modulus [Pa], Poisson's ratio and thickness [m] of the homogeneous layers as analyzed, from the top
         downwards. The thickness of a half-space is infinite; without one a rigid base follows. Of layers that are not
-        bonded the constrained modulus, and 0 for the ratio. None if layers differ between boreholes.
+        bonded the constrained modulus, and 0 for the ratio. None if layers differ from place to place.
     bonded : bool
         Whether the layers are bonded; else the stresses of a homogeneous half-space compress them.
     beside : (f, 3) array of float

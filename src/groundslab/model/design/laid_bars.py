@@ -23,7 +23,7 @@ from groundslab.model.design.bars import Bars
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.model.plate import Plate
 from groundslab.model.plates.other_plates import FurtherPlate
-from groundslab.model.plates.region import PlateRegion
+from groundslab.model.plates.region import get_plate_region
 from groundslab.model.shapes import CHORD
 from groundslab.model.structure.columns import Column
 
@@ -98,8 +98,9 @@ def mean_area(
 ) -> float:
     """Return the area of a layer's bars that counts for punching at a column [m2/m], d its effective depth [m].
 
-    It is the mean over the column's width and 3 d on each side (6.4.4(1)), as far as the plate reaches: the least of
-    those beside the column's center and 2 d off its faces, as bars of a short zone end within the perimeter.
+    It is the mean over the column's width and 3 d on each side (6.4.4(1)), as far as the plate reaches at the column's
+    level: the least of those beside the column's center and 2 d off its faces, as bars of a short zone end within the
+    perimeter.
     """
     from shapely import LineString
 
@@ -111,7 +112,7 @@ def mean_area(
     zones = [(zone, polygon_of(zone.shape.ring())) for zone in steel.zones if layer in zone.layers]
     if not zones:
         return bar_area(base)
-    plan = PlateRegion(plate, plates).area
+    plan = get_plate_region(plate, plates).level_at((column.x, column.y))
     areas = list[float]()
     for where in (along[0] - BEYOND * d, (along[0] + along[1]) / 2, along[1] + BEYOND * d):
         ends = [(where, across[0] - BESIDE * d), (where, across[1] + BESIDE * d)]

@@ -141,11 +141,11 @@ class AreaLoad(_PressureOnPart):
 
 
 class SelfWeight(_Load):
-    """The self-weight of the plate, and of beams cast with it."""
+    """The self-weight of the plate, of the walls of its pits, and of beams cast with it."""
 
-    kind: Annotated[Literal["self weight"], Table("self-weight of the plate, by its thickness in each zone")] = (
-        "self weight"
-    )
+    kind: Annotated[
+        Literal["self weight"], Table("self-weight of the plate, by its thickness in each zone, and of walls of pits")
+    ] = "self weight"
     unit_weight: Annotated[
         float, Quantity("weight per volume", "gamma_c", "weight of the material", POSITIVE, example="25 kN/m^3")
     ]

@@ -1,4 +1,4 @@
-"""Checks that loads, columns, walls, outputs and voids lie on the plate and name what there is; the weight of beams."""
+"""Checks that loads, columns, walls, outputs and voids lie on the plate and name what there is; weights of members."""
 
 from __future__ import annotations
 
@@ -13,6 +13,7 @@ from groundslab.model.loads.lines import LineLoad, LineMoment
 from groundslab.model.loads.load_types import AnyLoad, PointLoad, SelfWeight, Spread
 from groundslab.model.plate import Plate
 from groundslab.model.plates.other_plates import AnyPlate, FurtherPlate, list_plates
+from groundslab.model.plates.pits import chord_of, pits_of
 from groundslab.model.plates.region import NO_PART, PlateRegion, get_plate_region
 from groundslab.model.shapes import CHORD
 from groundslab.model.structure.beams import Beam, RectangularSection
@@ -174,3 +175,12 @@ def weights_of(
                 whole = way[1] - way[0] >= (1 - NO_PART) * beam.length
                 edges = beam.edges if whole else line_segments(*part_of_line(beam.edges, *way), None)
                 yield LineForce(edges, q=(load.unit_weight * area,) * 2)
+
+
+def weights_of_pits(plate: Plate, plates: tuple[FurtherPlate, ...], load: SelfWeight) -> Iterator[LineForce]:
+    """Yield the weight of the walls of each pit along their axes, on the plates that a load names."""
+    for own in list_plates(plate, plates):
+        for pit in pits_of(own) if load.plate in ("", own.name) else ():
+            edges = pit.ring.segments()
+            q = load.unit_weight * pit.volume(chord_of(own)) / sum(edge.length for edge in edges)
+            yield LineForce(edges, q=(q, q))

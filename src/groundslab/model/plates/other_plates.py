@@ -46,7 +46,7 @@ class FurtherPlate(Section):
     name: Annotated[str, Text("name of the plate, used by loads")]
     outline: Annotated[Shape, Table("its outline, of any shape")]
     openings: Annotated[tuple[Shape, ...], Table("what is cut out of it")] = ()
-    zones: Annotated[tuple[Zone, ...], Table("parts with another thickness or material")] = ()
+    zones: Annotated[tuple[Zone, ...], Table("parts with another thickness, material or level")] = ()
     thickness: Annotated[float, Quantity("length", "t", "thickness", POSITIVE, example="0.4 m")]
     E: Annotated[float, Quantity("pressure", "E", "Young's modulus", POSITIVE, example="30 GPa")]
     nu: Annotated[float, Number("nu", "Poisson's ratio", POISSON)]

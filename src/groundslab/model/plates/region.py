@@ -16,6 +16,7 @@ from groundslab.geometry.places import same_place
 from groundslab.geometry.plan import Place, Segment
 from groundslab.geometry.regions import Region
 from groundslab.model.plates.other_plates import AnyPlate, FurtherPlate, bounds_of, list_plates
+from groundslab.model.plates.pits import chord_of, pits_of
 from groundslab.model.shapes import CHORD
 
 if TYPE_CHECKING:
@@ -59,6 +60,28 @@ class PlateRegion:
         from shapely import union_all
 
         return self.areas[0] if len(self.areas) == 1 else union_all(self.areas)
+
+    @cached_property
+    def levels(self) -> tuple[BaseGeometry, ...]:
+        """What lies at one level: all around pits, then each pit."""
+        from shapely import union_all
+
+        pits = [pit.area(chord_of(slab)) for slab in self.every for pit in pits_of(slab)]
+        return (self.area.difference(union_all(pits)), *pits) if pits else (self.area,)
+
+    @cached_property
+    def steps(self) -> BaseGeometry | None:
+        """The lines at which the plates step from one level to another, None if there are none."""
+        from shapely import union_all
+
+        return union_all([pit.boundary for pit in self.levels[1:]]) if self.levels[1:] else None
+
+    def level_at(self, place: Place) -> BaseGeometry:
+        """Return what lies at the level of a place on the plates, the nearest by rounding."""
+        from shapely import Point
+
+        point = Point(place)
+        return min(self.levels, key=lambda part: part.distance(point))
 
     @cached_property
     def grown(self) -> BaseGeometry:

@@ -20,6 +20,7 @@ from groundslab.model.loads.load_types import SelfWeight
 from groundslab.model.loads.patterns import Vehicle, absent_forces
 from groundslab.model.plates.region import get_plate_region
 from groundslab.model.remarks.case_use import CaseUse, case_uses
+from groundslab.model.remarks.pits import pit_remarks
 from groundslab.model.remarks.pulling_cores import pulling_cores
 from groundslab.model.remarks.resultants import case_forces
 from groundslab.model.remarks.unusual import unusual_quantities
@@ -109,6 +110,7 @@ def find_remarks(model: Model, combinations: Sequence[Combination] | None = None
         *_on_moves(model),
         *_on_boreholes(model),
         *_on_strips(model),
+        *(Remark(*remark) for remark in pit_remarks(model)),
         *(Remark(*unusual) for unusual in unusual_quantities(model)),
         *_on_repeated(model, uses, combinations),
         *_on_combine(model, uses, combinations),

@@ -12,6 +12,7 @@ from groundslab.arrays import Array
 from groundslab.geometry.plan import DRAWN_CHORD, Ring
 from groundslab.model.axes.drawn import drawn_axes
 from groundslab.model.model import Model
+from groundslab.model.plates.pits import pits_of
 
 if TYPE_CHECKING:
     from shapely import LinearRing, Polygon
@@ -69,18 +70,19 @@ Shape = Line | Circle | Text
 LETTERS = 1 / 90
 #: The layers of what lies on the plate.
 PLAN_LAYERS = {
-    "OUTLINE": Layer(7), "OPENINGS": Layer(8), "COLUMNS": Layer(8), "WALLS": Layer(8), "BEAMS": Layer(8),
-    "AXES": Layer(8, broken=True), "AXES_NAMES": Layer(8),
+    "OUTLINE": Layer(7), "OPENINGS": Layer(8), "PITS": Layer(8), "COLUMNS": Layer(8), "WALLS": Layer(8),
+    "BEAMS": Layer(8), "AXES": Layer(8, broken=True), "AXES_NAMES": Layer(8),
 }  # fmt: skip
 
 
 def plan_shapes(model: Model) -> Iterator[Shape]:
-    """Yield outlines, openings, columns, the faces of walls and beams, and axes, where the case has them."""
+    """Yield outlines, openings, columns, the faces of walls, walls of pits and beams, and axes, where there are any."""
     chord = DRAWN_CHORD * max(model.sides)
     for plate in model.every_plate:
         yield closed("OUTLINE", plate.ring(), chord)
         for opening in plate.openings:
             yield closed("OPENINGS", opening.ring(), chord)
+        yield from (Line("PITS", face, closed=True) for pit in pits_of(plate) for face in pit.faces(chord))
     for column in model.columns:
         yield closed("COLUMNS", column.ring(), chord)
     for piece in (piece for wall in model.placed_walls for piece in wall.pieces):

@@ -226,15 +226,22 @@ def place_labels(model: Model, panel: Panel, per_meter: float, *, numbered: bool
         size = text_width(words, FOOT) / 2 + 0.2, 0.55 * FOOT * PT
         corners = [(x + i * (half[0] + size[0]), y + j * (half[1] + size[1])) for i, j in BESIDE]
         labels.append(Label(words, placement.place_best(corners, size), FOOT))
-    for zone in (zone for plate in model.every_plate for zone in plate.zones):
-        if zone.thickness is not None:
-            words = say(Message("t = {thickness:g m}", thickness=zone.thickness))
+    for plate, zone in [(slab, zone) for slab in model.every_plate for zone in slab.zones]:
+        if zone.thickness is not None or zone.level is not None:
+            words = say(zone_label(zone.thickness or plate.thickness, zone.level))
             size = text_width(words, FOOT + 0.5) / 2 + 0.4, 0.6 * (FOOT + 0.5) * PT
             (x, y), half = _bounding_box(np.array(zone.shape.ring().flat(np.inf)) * per_meter)
             inner = half[0] - size[0] - 0.6, half[1] - size[1] - 0.6
             corners = [(x + i * inner[0], y + j * inner[1]) for i, j in INSIDE]
             labels.append(Label(words, placement.place_best(corners, size), FOOT + 0.5))
     return [*labels, *(_place_numbers(panel, per_meter, placement.taken, say) if numbered else ())]
+
+
+def zone_label(thickness: float, level: float | None) -> Message:
+    """Return what stands in a zone: its thickness [m], and of a pit the level of its top side [m]."""
+    if level is None:
+        return Message("t = {thickness:.6g m}", thickness=thickness)
+    return Message("t = {thickness:.6g m}, z = {level:.6g m}", thickness=thickness, level=level)
 
 
 #: Numbers stand so far apart at least [mm], and have so many digits.

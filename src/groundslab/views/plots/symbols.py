@@ -16,6 +16,7 @@ from groundslab.fem.mesh import SIDES
 from groundslab.geometry.plan import DRAWN_CHORD
 from groundslab.model.axes.drawn import drawn_axes
 from groundslab.model.loads.acting import AreaPressure, LineForce, PlateAction, PointForce
+from groundslab.model.plates.pits import pits_of
 from groundslab.views.plots.contours import MOST_ELEMENTS
 from groundslab.views.plots.style import GREY, GROUND, INK, LOAD, SMALL, SUPPORT, white_outline
 
@@ -46,7 +47,7 @@ def draw_plate(axes: Axes, model: Model, fill: str = "none") -> Entries:
 
 
 def _draw_one_plate(axes: Axes, plate: AnyPlate, chord: float, fill: str) -> Entries:
-    """Draw the outline of a plate, its openings crossed out and its zones; return the entries in the legend."""
+    """Draw the outline of a plate, its openings crossed out, its zones and pits; return the entries in the legend."""
     import shapely
 
     outline = plate.ring().polygon(chord)
@@ -65,6 +66,9 @@ def _draw_one_plate(axes: Axes, plate: AnyPlate, chord: float, fill: str) -> Ent
         for piece in (piece for piece in shapely.get_parts(part) if piece.geom_type == "Polygon"):
             look = {"edgecolor": GREY, "linewidth": 0.8, "linestyle": (0, (6, 2, 1, 2)), "zorder": 3.5}
             entries["zone"] = draw_ring(axes, np.asarray(piece.exterior.coords), **look)
+    for pit in pits_of(plate):
+        for face in pit.faces(chord):
+            entries["wall of a pit"] = draw_ring(axes, face, edgecolor=INK, linewidth=0.6, zorder=3.6)
     return entries
 
 

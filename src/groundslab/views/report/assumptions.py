@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from groundslab.design.codes.en1992_2004.annex import file_of
 from groundslab.messages import Message, Name, joined, series, words_in
 from groundslab.model.ground import ContinuousGround, Continuum, Winkler
+from groundslab.model.plates.pits import pits_of
 from groundslab.views.tables.reinforcement import averages
 
 if TYPE_CHECKING:
@@ -18,6 +19,11 @@ if TYPE_CHECKING:
 _PLATE = (
     "The plate is isotropic in each zone, with small displacements and shear deformation (Mindlin). Its midsurface "
     "stays one plane."
+)
+_PITS = (
+    "Pits are analyzed as if their floors were at the level of the slab around, without forces in its plane: their "
+    "walls hand over the moments of the floor unchanged, and only these bend the walls here. Where layers of soil are "
+    "given, those under a pit begin at its underside."
 )
 _ELASTIC = "It is linearly elastic: it does not crack, creep or yield."
 _CRACKED = (
@@ -148,7 +154,7 @@ def _of_ground(model: Model) -> str:
 
 
 def _of_supports(model: Model) -> Iterator[str]:
-    """Yield what supports, piles, beams, the building above and joints do beside being elastic."""
+    """Yield what supports, piles, pits, beams, the building above and joints do beside being elastic."""
     limited = [support.name or Message("support {number}", number=number)
                for number, support in enumerate(model.supports, 1)
                if support.limit is not None or getattr(support, "limit_tension", None)]  # fmt: skip
@@ -157,6 +163,8 @@ def _of_supports(model: Model) -> Iterator[str]:
         if len(limited) > 5:
             names = Message("{names} and {count} more", names=names, count=len(limited) - 5)
         yield Message("Supports and piles with a limit yield there and keep that force: {names}.", names=names)
+    if any(map(pits_of, model.every_plate)):
+        yield _PITS
     if model.members:
         yield _BEAMS
     if model.spans:

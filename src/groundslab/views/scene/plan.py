@@ -63,7 +63,8 @@ def plan_of(model: Model) -> Data:
     def zones(path: str, of: AnyPlate) -> list[Data]:
         def describe(zone: Zone) -> Data:
             thickness = of.thickness if zone.thickness is None else zone.thickness
-            return {"ring": ring(zone.shape.ring()), "thickness": thickness}
+            level = {} if zone.level is None else {"level": zone.level, "wall": zone.wall}
+            return {"ring": ring(zone.shape.ring()), "thickness": thickness} | level
 
         return listed(path, of.zones, describe)
 

@@ -13,6 +13,7 @@ from groundslab.fem.mesh import Mesh, locate
 from groundslab.fem.shape_functions import q9
 from groundslab.messages import Message, Name
 from groundslab.model.outputs import OutputStrip
+from groundslab.model.plates.pits import pits_of
 from groundslab.results.fields import POINT_FIELDS
 from groundslab.results.results import CombinationResult, Results
 from groundslab.results.soil_profile import profile_depths
@@ -67,8 +68,8 @@ def soil(combined: Results) -> Table:
     ]
     if not rows:
         notes.append("Piles carry loads into the depth, of which nothing is known then.")
-    if model.boreholes:
-        notes.append("Settlements in the depth are not known where layers differ between boreholes.")
+    if model.boreholes or any(map(pits_of, model.every_plate)):
+        notes.append("Settlements in the depth are not known where layers differ from place to place.")
     return table_of("soil", "Soil below points", heads, rows, notes)
 
 

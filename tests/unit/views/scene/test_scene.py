@@ -84,6 +84,13 @@ class TestPlan:
         assert [area(each["ring"]) for each in plan["voids"]] == pytest.approx([1, np.pi / 4], rel=1e-3)
         assert area(plan["columns"][1]["ring"]) == pytest.approx(0.24)
 
+    def test_a_pit_has_its_level_and_walls(self) -> None:
+        """Its shape is that of their axes; its thickness is the plate's where it has none."""
+        pit = {"shape": {"kind": "rectangle", "x": (0, 1), "y": (0, 1)}, "level": -1.2, "wall": 0.3}
+        slab = {"length_x": 6, "length_y": 4, "thickness": 0.4, "E": 30e9, "nu": 0.2, "zones": [pit]}
+        (zone,) = plan_of(Model(plate=slab, ground=RAFT["ground"], loads=[{"kind": "uniform", "q": 1e4}]))["zones"]
+        assert (zone["thickness"], zone["level"], zone["wall"]) == (0.4, -1.2, 0.3)
+
     def test_things_have_paths_names_and_places(self) -> None:
         """Paths count from 1, as issues do; a load on a column stands where the column stands."""
         plan = plan_of(Model(**RAFT))

@@ -28,6 +28,8 @@ export interface Area extends Part {
 export interface Zone extends Area {
   thickness: number;
   name?: string;
+  level?: number; // [m] of the top side of a pit
+  wall?: number; // [m] thickness of its walls
 }
 export interface Place extends Named {
   x: number;

@@ -3,7 +3,7 @@ import { lengthsOf } from "../data/lengths";
 import { labelLoads } from "../data/load-labels";
 import type { Area, Beam, BuildingAxis, FrameLine, Line, Load, Place, Plan, Wall } from "../data/scene";
 import { plainSymbols } from "../shared/symbols";
-import { type PlanSymbol, thicknessText } from "./symbols";
+import { type PlanSymbol, zoneText } from "./symbols";
 
 /** What of the plan is drawn. */
 export const ALL_LAYERS = {
@@ -54,7 +54,7 @@ export function symbolsOf(plan: Plan, layers: Layers, factors: ReadonlyMap<strin
   const openings = [...plan.openings, ...further.flatMap((each) => each.openings)];
   const symbols = [
     ...(layers.ground ? ground : []),
-    ...(layers.zones ? zones.map((each) => area("zone", each, thicknessText(each.thickness, lengthsOf(plan)))) : []),
+    ...(layers.zones ? zones.map((each) => area("zone", each, zoneText(each, lengthsOf(plan)))) : []),
     area("slab", { ring: plan.outline }),
     ...further.map(({ ring }) => area("slab", { ring })),
     ...openings.map((each) => area("opening", each)),

@@ -325,3 +325,9 @@ export function drawCross(at: Readonly<Point>, size: number): SVGElement[] {
 export function thicknessText(thickness: number, { small, small_per_meter }: Lengths): string {
   return `t = ${formatShort(thickness * small_per_meter)} ${small}`;
 }
+
+/** Format the thickness of a zone [m], and the level of a pit [m], as they stand in it. */
+export function zoneText({ thickness, level }: { thickness: number; level?: number }, lengths: Lengths): string {
+  const text = thicknessText(thickness, lengths);
+  return level === undefined ? text : `${text}, z = ${formatShort(level * lengths.per_meter)} ${lengths.unit}`;
+}

@@ -10,7 +10,7 @@ import { say } from "../../viewer/shared/language";
 import { caseColor } from "../model/case-colors";
 import { isClosed, type Point, type Ring, readGeometry, ringOf } from "../model/geometry";
 import type { Item } from "../model/items";
-import { isTable, type Json, listAt, type Path, pathKey, samePath, startsWith } from "../model/paths";
+import { isTable, type Json, listAt, type Path, pathKey, samePath, startsWith, type Table } from "../model/paths";
 import { formatDecimals, parseLength } from "../model/quantities";
 
 const HANDLE = 8; // px: side of a handle
@@ -123,10 +123,16 @@ function nameOf(item: Item): string {
   return typeof item.table.name === "string" ? item.table.name : "";
 }
 
+/** Return what stands in a zone: its thickness, and the level of a pit, as they are written. */
+function zoneText({ thickness, level }: Table): string {
+  const known = Object.entries({ t: thickness, z: level }).filter(([, value]) => value !== undefined);
+  return known.map(([name, value]) => `${name} = ${String(value)}`).join(", ");
+}
+
 function textsOf(item: Item): string[] {
   switch (item.kind) {
     case "zone":
-      return item.table.thickness === undefined ? [] : [`t = ${String(item.table.thickness)}`];
+      return [zoneText(item.table)].filter(Boolean);
     case "refinement":
       return [`h = ${String(item.table.size ?? "")}`];
     case "move":

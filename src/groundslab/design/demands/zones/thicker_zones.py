@@ -4,6 +4,7 @@ A zone is a connected part of the plate of at least some thickness. Of zones in 
 slab has one. Perimeters run around it as around a column, what it covers and its hull being loaded: so EN 1992-1-1
 6.4.2(8) to (11) has the sections outside of enlarged column heads, and ACI 318-19 22.6.4.1(b) those at changes of
 thickness. What pushes is the sum of the columns on the zone less the piles below it, with the moments of all of them.
+A pit is no zone of the slab around it: its floor lies at another level.
 """
 
 from __future__ import annotations
@@ -17,7 +18,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from groundslab.arrays import Array, made_once
-from groundslab.design.demands.by_plate import split_by_plate
+from groundslab.design.demands.by_plate import split_by_level, split_by_plate
 from groundslab.design.demands.perimeter_loads import PunchingForce, punching_columns, punching_piles, reach_of
 from groundslab.design.demands.perimeters import Perimeter, ZoneFootprint, area_of, outline
 from groundslab.fem.mesh import SIDES
@@ -125,7 +126,8 @@ def zone_forces(combined: Results) -> tuple[ZoneForce, ...]:
         if combined.model.plates
         else zone
         for (plate, results), section in zip(split_by_plate(first).items(), sections, strict=True)
-        for zone in _zones(results, forces, section)
+        for at_level in split_by_level(results)
+        for zone in _zones(at_level, forces, section)
     ]
     count = Counter(zone.name for zone in zones)
     return tuple(_told_apart(zone) if count[zone.name] > 1 else zone for zone in zones)

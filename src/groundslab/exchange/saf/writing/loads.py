@@ -25,6 +25,7 @@ from groundslab.model.loads.load_types import (
     TemperatureLoad,
     UniformLoad,
 )
+from groundslab.model.loads.placement import weights_of_pits
 from groundslab.model.shapes import Rectangle
 from groundslab.model.structure.lines import line_segments
 
@@ -75,6 +76,8 @@ def write_loads(sheets: Sheets, model: Model, placed: Placed) -> None:
         elif isinstance(load, SelfWeight):
             if not by_material(model, load):
                 _write_weight(sheets, model, load, common, placed)
+            for line in weights_of_pits(model.plate, model.plates, load):
+                _write_force(sheets, load.name, line.q, _places(line.edges, closed=False), common)
         elif lines := [shape for shape in model.shapes(load) if isinstance(shape, LineForce)]:
             _write_lines(sheets, load.name, lines, common, placed, what)
         else:

@@ -112,7 +112,12 @@ def write_plate(sheets: Sheets, plate: AnyPlate, name: str, materials: Mapping[t
         sheets.add("StructuralSurfaceMemberOpening", "", "O", **{"2dmember": name}, **curve)
     for zone in plate.zones:
         material = materials[zone.E or plate.E, plate.nu if zone.nu is None else zone.nu]
-        _write_region(sheets, name, zone.shape, material, zone.thickness or plate.thickness)
+        region = _write_region(sheets, name, zone.shape, material, zone.thickness or plate.thickness)
+        if zone.level is not None:
+            sheets.leave(
+                f"region {region}",
+                "a pit without its level and walls, of which the weight is a load along lines",
+            )
 
 
 def _size_text(length: float) -> str:

@@ -11,7 +11,7 @@ import numpy as np
 from groundslab.messages import Message, Name, joined
 from groundslab.unit_systems import unit_in
 from groundslab.views.plots import style, symbols
-from groundslab.views.plots.annotations import LabelPlacement, Point
+from groundslab.views.plots.annotations import LabelPlacement, Point, zone_label
 from groundslab.views.scene.plan import plan_of
 from groundslab.views.translation import words_of
 
@@ -179,7 +179,7 @@ def _draw_outputs(axes: Axes, plan: Data, labels: Labels) -> dict[str, Any]:
 
 
 def _label_parts(plan: Data, labels: Labels) -> None:
-    """Name columns, walls, beams and supports, and write the thickness of zones."""
+    """Name columns, walls, beams and supports, and write the thickness of zones and the level of pits."""
     for column in plan["columns"]:
         labels.add((column["x"], column["y"]), Name(column["name"]), style.INK)
     for part in (*plan["walls"], *plan["beams"]):
@@ -187,9 +187,7 @@ def _label_parts(plan: Data, labels: Labels) -> None:
     for support in plan["supports"]:
         labels.add(middle(support["points"]), Name(support["name"]), style.SUPPORT, 3.0)
     for zone in plan["zones"]:
-        labels.add(
-            upper_left(zone["ring"]), Message("t = {thickness:.6g m}", thickness=zone["thickness"]), style.GREY, 1.0
-        )
+        labels.add(upper_left(zone["ring"]), zone_label(zone["thickness"], zone.get("level")), style.GREY, 1.0)
 
 
 def _label_loads(axes: Axes, plan: Data, labels: Labels) -> None:
