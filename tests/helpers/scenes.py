@@ -21,7 +21,9 @@ def unpack(content: bytes) -> Scene:
 
 
 def values_of(scene: Scene, block: dict[str, Any]) -> np.ndarray:
-    """Return the numbers of a block as floats."""
+    """Return the numbers of a block, or of a sum of blocks, as floats."""
+    if "sum" in block:
+        return np.asarray(sum(factor * values_of(scene, term) for factor, term in block["sum"]))
     count = int(np.prod(block["shape"]))
     raw = np.frombuffer(scene.data, TYPES[block["type"]], count, block["offset"]).reshape(block["shape"])
     return np.asarray(raw * block["scale"] + block["shift"], dtype=float)

@@ -159,7 +159,7 @@ export function packedScene(mesh: Mesh, given: Given[], change: Partial<Head> = 
     }),
   );
   return packer.packed({
-    format: 2,
+    format: 3,
     title: "",
     version: "0",
     plan: NO_PLAN,

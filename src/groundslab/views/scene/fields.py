@@ -16,7 +16,7 @@ from groundslab.results.fields import BAR_FIELDS, LINE_FORCE, RANGED_FIELDS, SHO
 from groundslab.results.results import refusal_words
 from groundslab.unit_systems import in_system, unit_in
 from groundslab.views.scene.annotations import bars_of, reactions_of
-from groundslab.views.scene.binary import Blocks, Scene
+from groundslab.views.scene.binary import Blocks, Scene, put_fields
 from groundslab.views.scene.plan import plan_of
 from groundslab.views.summary import combinations
 from groundslab.views.tables.quantities import nodal_values
@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from groundslab.unit_systems import System
     from groundslab.views.summary.combinations import Entry
 
-FORMAT = 2
+FORMAT = 3
 ABOUT = RANGED_FIELDS | SHOWN_ELEMENT_FIELDS | BAR_FIELDS
 #: The nodal fields that a scene has, if need be; all others can be made of them.
 SHOWN = (
@@ -41,7 +41,7 @@ SHOWN_OF_BARS = ("required_", "provided_", "utilization_", "missing_")
 
 
 def scene_of(combined: Results, most: int | None = None) -> Scene:
-    """Return the scene of all combinations; values in units of display, quantised to 2^16 levels of each field.
+    """Return the scene of all combinations; values in units of display, quantized in 2^16 levels or as sums of fields.
 
     It has the fields of so many combinations at most: those that govern an extreme come first, then the others in their
     order; the rest is named in "left_out".
@@ -56,7 +56,12 @@ def scene_of(combined: Results, most: int | None = None) -> Scene:
     of_bars = _fields_of_bars(combined)
     mesh = mesh_of(combined.model, there, blocks)
     kept = _kept(entries, names, len(entries) if most is None else most)
-    shared = {name: blocks.put_range(values) for name, values in of_bars.items()}
+    values = _fields_of_combinations(
+        {entry.number: entry.results for entry in entries if entry.number in kept}, names, blocks
+    )
+    # bars are those of all combinations
+    shared = {name: blocks.put_range(of_all) for name, of_all in of_bars.items()}
+    values = {number: fields | shared for number, fields in values.items()}
     head = {
         "format": FORMAT,
         "title": combined.model.title,
@@ -66,7 +71,7 @@ def scene_of(combined: Results, most: int | None = None) -> Scene:
         "fields": [_about(name, there, units) for name in names]
         + [describe_field(name, False, units) for name in of_bars]
         + [_CONTACT],
-        "combinations": [_combination(entry, names, blocks, entry.number in kept, shared, units) for entry in entries],
+        "combinations": [_combination(entry, names, values.get(entry.number), units) for entry in entries],
         "bars": bars_of(combined.solved_model),
         "left_out": [
             entry.combination.name for entry in entries if entry.results is not None and entry.number not in kept
@@ -147,23 +152,29 @@ def _fields_of_bars(combined: Results) -> dict[str, Array]:
     }
 
 
+def _fields_of_combinations(
+    combined: Mapping[int, CombinationResult | None], names: list[str], blocks: Blocks
+) -> dict[int, dict[str, dict[str, Any]]]:
+    """Return the fields of combinations with results, by their numbers."""
+    there = {number: results for number, results in combined.items() if results is not None}
+    values: dict[int, dict[str, dict[str, Any]]] = {number: {} for number in there}
+    for name in names if there else ():
+        fields = np.array([shown_values(results, name) for results in there.values()])
+        for of_one, block in zip(values.values(), put_fields(blocks, fields), strict=True):
+            of_one[name] = block
+    for number, results in there.items():
+        values[number]["contact"] = blocks.put_signed(contact_function(results))
+    return values
+
+
 def _combination(
     entry: Entry,
     names: list[str],
-    blocks: Blocks,
-    kept: bool,
-    shared: Mapping[str, dict[str, Any]],
+    values: Mapping[str, dict[str, Any]] | None,
     units: System,
 ) -> dict[str, Any]:
-    """Return one combination: what acts together, its fields, their extremes, or why there are none.
-
-    The blocks that are shared belong to all combinations.
-    """
+    """Return one combination: what acts together, its fields, their extremes, or why there are none."""
     results = entry.results
-    values = None
-    if results is not None and kept:
-        values = {name: blocks.put_range(shown_values(results, name)) for name in names}
-        values |= {**shared, "contact": blocks.put_signed(contact_function(results))}
     return {
         "name": entry.combination.name,
         "number": entry.number,

@@ -15,7 +15,7 @@ from groundslab.model.model import Model
 from groundslab.results.contact_zone import contact_function
 from groundslab.results.fields import PLATE_FIELDS
 from groundslab.results.results import Results, results_of
-from groundslab.views.scene.binary import LEVELS, Blocks, Scene, pack
+from groundslab.views.scene.binary import LEVELS, PART, Blocks, Scene, pack, put_fields
 from groundslab.views.scene.fields import scene_of
 from groundslab.views.scene.plan import plan_of
 from groundslab.views.tables.quantities import nodal_values
@@ -171,6 +171,23 @@ class TestScene:
             assert (extremes["min"][0], extremes["max"][0]) == (there.min(), there.max())
         assert np.array_equal(found["contact"] < 0, plate.in_contact)
         assert found["contact"] == pytest.approx(contact_function(results), abs=np.abs(found["contact"]).max() / LEVELS)
+
+    def test_fields_of_several_combinations_are_sums(self) -> None:
+        """Sums of two fields take two blocks and come back; fields with nothing in common are put each by itself."""
+        rng = np.random.default_rng(7)
+        first, second = rng.normal(size=(2, 4000))
+        sums = np.array([first, 2e6 * second, 3 * first - second, 1e-9 * (first + second), 0 * first])
+        blocks = Blocks()
+        put = put_fields(blocks, sums)
+        scene = Scene({}, blocks.data)
+        assert len(blocks.data) <= 2 * 2 * 4000
+        for block, exact in zip(put, sums, strict=True):
+            assert np.abs(values_of(scene, block) - exact).max() <= np.ptp(exact) / PART
+        apart = rng.normal(size=(3, 4000))
+        blocks = Blocks()
+        put = put_fields(blocks, apart)
+        for block, exact in zip(put, apart, strict=True):
+            assert np.abs(values_of(Scene({}, blocks.data), block) - exact).max() <= np.ptp(exact) / LEVELS * 0.5000001
 
     def test_the_discretization_error_is_a_field_where_all_have_it(self) -> None:
         """In percent at the nodes, never signed; without a comparison it is missing."""

@@ -1,7 +1,7 @@
 // Fields of a scene: basic ones as they were packed, derived ones, and envelopes over combinations.
 import { ALL_LOADS, say, translate, verbatim } from "../shared/language";
 import type { LocalPoint, Locator } from "./point-location";
-import { type Combination, type Extreme, type Field, readBlock, type Scene } from "./scene";
+import { type Combination, type Extreme, type Field, readValues, type Scene } from "./scene";
 
 /** A combination by its index in the head, or an envelope over all certified combinations (of one limit state). */
 export type Choice = number | Envelope;
@@ -281,7 +281,7 @@ function combinationValues(scene: Scene, index: number, name: string): Float32Ar
   }
   const of = scene.head.combinations[index]?.values?.[name];
   if (!of) throw new RangeError(`no values of ${name} in combination ${index}`);
-  return readBlock(scene, of);
+  return readValues(scene, of);
 }
 
 function envelopeValues(scene: Scene, choice: Envelope, name: string): Float32Array {

@@ -15,6 +15,9 @@ export interface Block {
   shift: number;
 }
 
+/** A field, or a sum of other fields with their factors. */
+export type Values = Block | { sum: [number, Block][] };
+
 /** A part of the model, by its place in the case file. */
 interface Part {
   path: string;
@@ -161,7 +164,7 @@ export interface Combination {
   factors: [string, number][];
   refused: string | null; // "FOUNDATION FAILS: why" or "not solved: why"
   certified: boolean;
-  values: Record<string, Block> | null;
+  values: Record<string, Values> | null;
   extremes: Record<string, Range>; // of "line_force" along the plate's edges, where the ground has one
   reactions?: Reaction[]; // of supports and walls on the plate
   minus?: string | null; // in a difference the combination that is subtracted, null where there is none
@@ -200,7 +203,7 @@ export interface Scene {
 /** A scene that cannot be read, with the reason in words for the user. */
 export class SceneError extends Error {}
 
-const FORMAT = 2;
+const FORMAT = 3;
 
 /** Read a packed scene: 4 bytes length, JSON, padding to a multiple of 8, data. */
 export function decodeScene(buffer: ArrayBuffer): Scene {
@@ -242,9 +245,16 @@ export async function decodeGzipBase64(text: string): Promise<Scene> {
   return decodeScene(buffer);
 }
 
-/** Return the numbers of a block, in its own units. */
-export function readBlock(scene: Scene, of: Block): Float32Array {
-  return readNumbers(scene.data, scene.start, of);
+/** Return the numbers of a field, in its own units. */
+export function readValues(scene: Scene, of: Values): Float32Array {
+  if (!("sum" in of)) return readNumbers(scene.data, scene.start, of);
+  // 64 bits, as terms may cancel each other
+  const values = new Float64Array(scene.mesh.nodeCount);
+  for (const [factor, block] of of.sum) {
+    const raw = readRaw(scene.data, scene.start, block);
+    for (let i = 0; i < raw.length; i++) values[i]! += factor * (block.scale * raw[i]! + block.shift);
+  }
+  return Float32Array.from(values);
 }
 
 function readNumbers(buffer: ArrayBuffer, start: number, of: Block): Float32Array {

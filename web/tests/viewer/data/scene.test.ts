@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { decodeGzipBase64, decodeScene, readBlock, SceneError } from "../../../src/viewer/data/scene";
+import { decodeGzipBase64, decodeScene, readValues, SceneError } from "../../../src/viewer/data/scene";
 import { grid, Packer, packedScene } from "../synthetic";
 
 const mesh = grid(2, 1);
@@ -12,7 +12,7 @@ describe("a packed scene", () => {
     expect(scene.mesh.elements).toEqual(mesh.elements);
     expect(scene.mesh.nodeCount).toBe(15);
     expect(scene.mesh.elementCount).toBe(2);
-    const settlement = readBlock(scene, scene.head.combinations[0]!.values!.settlement!);
+    const settlement = readValues(scene, scene.head.combinations[0]!.values!.settlement!);
     expect(settlement[2]).toBe(5);
   });
 
@@ -41,7 +41,7 @@ describe("a packed scene", () => {
     ];
     const scene = decodeScene(
       packer.packed({
-        format: 2,
+        format: 3,
         title: "",
         version: "",
         mesh: blocks,
@@ -66,13 +66,21 @@ describe("a packed scene", () => {
       }),
     );
     expect(scene.mesh.elements).toEqual(mesh.elements);
-    expect(wanted.map((each) => [...readBlock(scene, each)])).toEqual([
+    expect(wanted.map((each) => [...readValues(scene, each)])).toEqual([
       [1, 3, 100],
       [-7, 2.5, 1000],
       [0, 70000],
       [-5, 6],
       [4, -3.5],
     ]);
+    // 2 (1, 3, 100) - 10 (4, -3.5), node by node; the other nodes have none
+    const sum = readValues(scene, {
+      sum: [
+        [2, wanted[0]!],
+        [-10, wanted[4]!],
+      ],
+    });
+    expect([...sum]).toEqual([-38, 41, 200, 0, 0, 0, 0, 0, 0]);
   });
 
   it("says in words what is wrong with it", () => {
@@ -81,7 +89,7 @@ describe("a packed scene", () => {
     expect(
       () =>
         decodeScene(buffer.slice(0, buffer.byteLength - 200)).mesh &&
-        readBlock(
+        readValues(
           decodeScene(buffer.slice(0, buffer.byteLength - 200)),
           decodeScene(buffer).head.combinations[0]!.values!.contact!,
         ),
