@@ -312,10 +312,10 @@ def _with_bars(steel: Reinforcement, layers: dict[str, LayerProposal]) -> Reinfo
     """Return the reinforcement with proposed bars in place of its own, at the depth that the thickest of them have."""
     zones = []
     for layer, proposed in layers.items():
-        for number, (bars, (x, y)) in enumerate(proposed.zones, start=1):
+        for name, (bars, (x, y)) in proposed.rectangles(layer).items():
             zones.append(
                 BarZone(
-                    name=f"{layer.replace('_', ' ')} {number}",
+                    name=name,
                     shape={"kind": "rectangle", "x": x, "y": y},
                     layers=(layer,),
                     diameter=bars.diameter,
@@ -325,10 +325,7 @@ def _with_bars(steel: Reinforcement, layers: dict[str, LayerProposal]) -> Reinfo
     changes: dict[str, object] = {layer: proposed.base for layer, proposed in layers.items()}
     for face in ("bottom", "top"):
         if getattr(steel, face) is None:
-            thickest = [
-                max(bars.diameter for bars in (layers[layer].base, *(bars for bars, _ in layers[layer].zones)))
-                for layer in (f"{face}_x", f"{face}_y")
-            ]
+            thickest = [layers[layer].thickest for layer in (f"{face}_x", f"{face}_y")]
             assert steel.cover is not None
             changes[face] = axes_by_cover(steel.cover[face == "top"], steel.outer, *thickest)
     detailing = steel.detailing or Detailing()
