@@ -12,13 +12,14 @@ from groundslab.design.codes.en1992_2004 import punching as en1992
 from groundslab.design.codes.en1992_2004.annex import Annex
 from groundslab.design.codes.en1992_2004.checks.punching_demand import (
     LAST_LINKS,
+    REACH,
     TOO_FAR,
     Demand,
     Stress,
     outer,
 )
 from groundslab.design.codes.en1992_2004.materials_of_case import materials
-from groundslab.design.codes.en1992_2004.punching_remedies import other_remedies, ratio_for_links
+from groundslab.design.codes.en1992_2004.punching_remedies import in_words, least_change, ratio_for_links
 from groundslab.design.rules.check import DesignCheck, Status
 from groundslab.design.rules.demand_errors import error_of_ratio, scaled
 from groundslab.design.rules.design_code import TensionBars
@@ -248,7 +249,7 @@ def bars_for_links(steel: Reinforcement, support: Support, demands: Demands[Dema
         if any(_beyond_face(steel, demand) > 1 for demand in of_name):
             continue
         beyond = [(demand, share) for demand in of_name if (share := _beyond_around(steel, demand, at_face=True)) > 1]
-        ratios = [(ratio_for_links(steel, demand, share), demand) for demand, share in beyond]
+        ratios = [(_ratio_for_links(steel, demand, share), demand) for demand, share in beyond]
         areas = [(ratio * demand.d, demand) for ratio, demand in ratios if ratio is not None]
         if areas and len(areas) == len(ratios):
             area, demand = max(areas, key=lambda each: each[0])
@@ -260,6 +261,11 @@ def _beyond_around(steel: Reinforcement, demand: Demand, *, at_face: bool) -> fl
     concrete = materials(steel, demand.limit_state)[0]
     limited = limited_with_links(demand, concrete.annex, at_face=at_face)
     return max((each.share for each in limited if not each.supported), default=0.0)
+
+
+def _ratio_for_links(steel: Reinforcement, demand: Demand, beyond: float) -> float | None:
+    """Return the ratio of bars with which v_Rd,c is so many times larger, None if more than those that count."""
+    return ratio_for_links(*materials(steel, demand.limit_state), demand.d, demand.v_Rd_c * beyond)
 
 
 def with_remedy(words: str, steel: Reinforcement, demand: Demand, *, at_face: bool) -> str:
@@ -275,13 +281,16 @@ def _remedy(steel: Reinforcement, demand: Demand, *, at_face: bool) -> str:
     """
     beyond = partial(beyond_links, steel, at_face=at_face)
     around = _beyond_around(steel, demand, at_face=at_face)
-    ratio = ratio_for_links(steel, demand, around) if steel.laid and around >= beyond(demand) else None
+    ratio = _ratio_for_links(steel, demand, around) if steel.laid and around >= beyond(demand) else None
     if ratio is not None:
         return Message(
             "bars in tension of {ratio:.2g} % of the section along both axes, within 3 d beside it, would do",
             ratio=100 * ratio,
         )
-    return other_remedies(demand, beyond)
+    thicker = least_change(lambda more: demand.changed(more, 0.0), beyond)
+    wider = least_change(lambda more: demand.changed(0.0, more), beyond)
+    control = wider.around[0].control if wider is not None else None
+    return in_words(None if thicker is None else thicker.thickness, None if control is None else control.widths, REACH)
 
 
 def _without_bars(steel: Reinforcement, check: DesignCheck, there: list[Judged]) -> DesignCheck:
