@@ -13,7 +13,7 @@ from groundslab.design.bars.required_bars import bar_fields
 from groundslab.design.rules.combinations import ultimate_results
 from groundslab.messages import Message, Name, capitalized, joined, words_in
 from groundslab.results.results import results_of
-from groundslab.views.plots import beams
+from groundslab.views.plots import beams, strips
 from groundslab.views.plots.annotations import said_of
 from groundslab.views.plots.export import to_inline_svg
 from groundslab.views.plots.ground.soil import draw_columns, soil_columns
@@ -154,6 +154,20 @@ def draw_pictures(combined: Results) -> Iterator[Drawing]:
     panels, captions = [panel for panel, _ in shown], [words_in(caption, units) for _, caption in shown]
     maps = draw_maps(combined.solved_model, panels, shared_scales(panels), captions)
     yield from map(Drawing, maps, captions)
+    yield from _draw_strips(combined)
+
+
+def _draw_strips(combined: Results) -> Iterator[Drawing]:
+    """Yield mean moments and bars along the design strips of plates, some strips together."""
+    for number, part in enumerate(beams.batches(strips.curves_of_strips(combined)), 1):
+        template = (
+            "Along the strips {names}: mean moment m, and bars A_s along the strip that its mean design moments need, "
+            "those at the bottom positive, downwards, over the ultimate combinations."
+        )
+        caption = Message(template, names=joined(curves.name for curves in part))
+        draw = partial(strips.draw_strips, combined.model, part)
+        units, translate = combined.model.units, translator_of(combined)
+        yield Drawing(to_inline_svg(draw, f"strips{number}", caption, units=units, translate=translate), caption)
 
 
 def _governing_panels(combined: Results) -> Iterator[tuple[Panel, str]]:
