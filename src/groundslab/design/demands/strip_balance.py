@@ -36,6 +36,8 @@ if TYPE_CHECKING:
 INSIDE = 1e-6
 #: Pieces are cut so far before stations, and what is that near to a side is on the strip, relative to its width.
 BESIDE, ROUNDING = 1e-7, 1e-9
+#: What section forces of a side are made of.
+FORCES = ("moment_x", "moment_y", "moment_xy", "shear_x", "shear_y")
 #: Samples this near to a cut are at it [m].
 NEAR = 1e-9
 
@@ -146,9 +148,8 @@ def _sides(results: CombinationResult, strip: OutputStrip, axis: Array, ways: Ar
             cut = cut_along(results.plate, places if sign < 0 else places[::-1])
         except InputError:
             continue
-        names = ("moment_x", "moment_y", "moment_xy", "shear_x", "shear_y")
-        along = np.broadcast_to(-sign * axis, (len(cut.s), 2))
-        _, _, m_nt, q_n = rotate_to_cut(*(cut.values[name] for name in names), along)
+        m_x, m_y, m_xy, q_x, q_y = (cut.values[name] for name in FORCES)
+        _, _, m_nt, q_n = rotate_to_cut(m_x, m_y, m_xy, q_x, q_y, np.broadcast_to(-sign * axis, (len(cut.s), 2)))
         way = ways[0] + cut.s if sign < 0 else ways[-1] - cut.s
         for samples in cut.parts():
             for number, (low, high) in enumerate(pairwise(ways.tolist())):

@@ -182,8 +182,11 @@ def _within_2d(steel: Reinforcement, support: Support, there: list[Judged]) -> D
         with_links = _punching(name, support, limit, most, "fails", "6.4.5(1)")
         if with_links.status == "fails":
             beyond = {stressed.name for stressed in most if stressed.share > 1}
-            worst, more = max(most, key=_share).demand, _more({stressed.name for stressed in needing} - beyond, support)
-            words = with_remedy(with_links.words, steel, worst, at_face=support in AT_FACES)
+            failing, more = (
+                max(most, key=_share).demand,
+                _more({stressed.name for stressed in needing} - beyond, support),
+            )
+            words = with_remedy(with_links.words, steel, failing, at_face=support in AT_FACES)
             return replace(with_links, words=words + more)
         if with_links.hangs:
             low, high = with_links.between or (0.0, 0.0)
