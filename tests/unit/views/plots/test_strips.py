@@ -11,7 +11,7 @@ from groundslab.design.demands.section_cuts import strip
 from groundslab.model.model import Model
 from groundslab.results.results import Results
 from groundslab.views.plots.strips import curves_of_strips
-from groundslab.views.report.drawings.drawings import draw_pictures
+from groundslab.views.report.drawings.drawings import draw_beams
 from helpers.solve_once import solve_once
 
 F_YD, F_CD, D = 500e6 / 1.15, 30e6 / 1.5, 0.45
@@ -52,7 +52,7 @@ def test_curves_are_means_and_bars_by_hand() -> None:
 
 def test_the_report_shows_strips_of_plates_once() -> None:
     """As one picture; without steel the moments alone, and none of strips that are beams."""
-    captions = [str(drawing.caption) for drawing in draw_pictures(solved())]
+    captions = [str(drawing.caption) for drawing in draw_beams(solved())]
     assert sum("Along the strips" in caption for caption in captions) == 1
     beam = {"strips": [{"name": "S", "start": (-4, 0), "end": (4, 0), "width": 4.0, "design": "beam"}]}
     plate = {"length_x": 8.0, "length_y": 4.0, "thickness": 0.9, "E": 33e9, "nu": 0.0}

@@ -112,8 +112,15 @@ def draw_stress(results: CombinationResult) -> Drawing | None:
 
 
 def draw_beams(combined: Results) -> Iterator[Drawing]:
+    """Yield moments and shear forces along the beams, then moments and bars along design strips, some together."""
+    if combined.results:
+        yield from _draw_members(combined)
+        yield from _draw_strips(combined)
+
+
+def _draw_members(combined: Results) -> Iterator[Drawing]:
     """Yield moments and shear forces along the beams, some beams together."""
-    if not ((combined.model.members or combined.model.output.beams) and combined.results):
+    if not (combined.model.members or combined.model.output.beams):
         return
     request = parse_request(combined, (), "beams", None, None, None)
     for number, part in enumerate(beams.batches(beams.curves_along(request)), 1):
@@ -154,7 +161,6 @@ def draw_pictures(combined: Results) -> Iterator[Drawing]:
     panels, captions = [panel for panel, _ in shown], [words_in(caption, units) for _, caption in shown]
     maps = draw_maps(combined.solved_model, panels, shared_scales(panels), captions)
     yield from map(Drawing, maps, captions)
-    yield from _draw_strips(combined)
 
 
 def _draw_strips(combined: Results) -> Iterator[Drawing]:
