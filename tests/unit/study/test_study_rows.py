@@ -11,6 +11,7 @@ from scipy import stats
 
 import groundslab
 from groundslab.case import casefile
+from groundslab.design.bars.required_bars import bar_fields
 from groundslab.errors import InputError
 from groundslab.model.model import Model
 from groundslab.results.fields import PLATE_FIELDS
@@ -178,6 +179,23 @@ class TestRows:
         )
         first, second = study.table()["load"]
         assert first - second == pytest.approx(0.15 * 24e3)
+
+    def test_reinforcement_is_that_of_the_checks(self) -> None:
+        """The largest area under a column is that which bars are checked against, of means and not of the peak."""
+        column = '[[columns]]\nname = "C"\nx = "0 m"\ny = "0 m"\nwidth_x = "0.4 m"\nwidth_y = "0.4 m"\n'
+        force = '[[loads]]\nkind = "point"\ncase = "dead"\ncolumn = "C"\nP = "600 kN"\n'
+        steel = '[reinforcement]\nf_ck = "30 MPa"\nf_yk = "500 MPa"\nbottom = ["40 mm", "50 mm"]\n'
+        case = CASE + column + force + steel + 'top = ["40 mm", "50 mm"]\n'
+        keep = outputs.RequestedOutput(name="steel", of="reinforcement bottom x", take="largest")
+        areas = {}
+        for averaged, more in ((True, ""), (False, '[reinforcement.averaging]\nat_columns = "peak"\n')):
+            combined = solved(case + more)
+            areas[averaged] = outputs.scalar_of(keep, combined, ["design"])
+            assert areas[averaged] == pytest.approx(bar_fields(combined)["required_bottom_x"].max(), rel=1e-12)
+        averaged_area, peak = areas[True], areas[False]
+        assert averaged_area is not None
+        assert peak is not None
+        assert averaged_area < 0.95 * peak
 
     @pytest.mark.slow
     def test_reinforcement_is_that_of_ultimate_combinations(self, tmp_path: Path) -> None:

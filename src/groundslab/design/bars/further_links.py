@@ -5,12 +5,21 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import TYPE_CHECKING, NamedTuple
 
+import numpy as np
+
+from groundslab.geometry.plan import FLAT
 from groundslab.model.design.beam_links import BeamLinks
-from groundslab.model.design.laid_bars import covers_of, polygon_of
+from groundslab.model.design.laid_bars import axis_of, covers_of, laid_bars, polygon_of
+from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.model.model import Model
 from groundslab.model.plates.region import get_plate_region
 from groundslab.model.structure.beams import GivenSection, RibSection
+
+if TYPE_CHECKING:
+    from shapely import LineString, Point
+    from shapely.geometry.base import BaseGeometry
 
 #: Mass of steel [kg/m3] (EN 1992-1-1 3.2.7(3)).
 STEEL = 7850.0
@@ -43,45 +52,102 @@ class LaidLinks:
 def further_links(model: Model) -> Iterator[LaidLinks]:
     """Yield the links of beams and against one-way shear that a case lays, as long as covers leave of the section.
 
-    That is of the first plate's thickness; zones of another one are not looked at.
+    Where a slab is of several thicknesses, there are links of several lengths.
     """
     steel = model.reinforcement
     if steel is None:
         return
-    covers = covers_of(steel)
-    region = get_plate_region(model.plate, model.plates).area
     for legs in steel.shear_links:
-        part = region.intersection(polygon_of(legs.shape.ring()))
-        number = round(part.area / (legs.spacing_x * legs.spacing_y))
-        middle = part.representative_point()
-        yield LaidLinks(
-            legs.name, "leg", legs.diameter, legs.apart, number, model.plate.thickness - sum(covers),
-            (middle.x, middle.y), part.bounds,
-        )  # fmt: skip
+        ring = polygon_of(legs.shape.ring())
+        for part, thickness in _by_thickness(model, ring):
+            number = round(part.area / (legs.spacing_x * legs.spacing_y))
+            middle = part.representative_point()
+            place = middle.x, middle.y
+            length = thickness - sum(_covers(steel, place))
+            if number:
+                yield LaidLinks(legs.name, "leg", legs.diameter, legs.apart, number, length, place, part.bounds)
     for links in steel.beam_links:
-        yield _of_beam(model, links, covers)
+        yield from _of_beam(model, steel, links)
 
 
-def _of_beam(model: Model, links: BeamLinks, covers: tuple[float, float]) -> LaidLinks:
-    """Return the closed links of a beam, or of a strip that is one."""
-    length, b, h, middle = _size(model, links.of)
-    end = length if links.end is None else links.end
-    high, wide = h - sum(covers), b - 2 * min(covers)
+def _by_thickness(model: Model, shape: BaseGeometry) -> Iterator[tuple[BaseGeometry, float]]:
+    """Yield what of a shape lies on a slab, in parts of one thickness [m] each."""
+    from shapely import union_all
+
+    region = get_plate_region(model.plate, model.plates)
+    parts: dict[float, list[BaseGeometry]] = {}
+    for plate, area in zip(region.every, region.areas, strict=True):
+        rest = area.intersection(shape)
+        for zone in reversed(plate.zones):
+            ring = polygon_of(zone.shape.ring())
+            parts.setdefault(zone.thickness or plate.thickness, []).append(rest.intersection(ring))
+            rest = rest.difference(ring)
+        parts.setdefault(plate.thickness, []).append(rest)
+    for thickness, pieces in parts.items():
+        part = union_all(pieces)
+        if part.area > 0:
+            yield part, thickness
+
+
+def _covers(steel: Reinforcement, place: tuple[float, float]) -> tuple[float, float]:
+    """Return the covers [m] of the outermost bars at a place, at the bottom and the top."""
+    if steel.cover is not None or not steel.laid:
+        return covers_of(steel)
+    below, above = (
+        min(
+            axis_of(steel, layer) - float(laid_bars(steel, layer, np.array([place])).thickest[0]) / 2
+            for layer in (f"{face}_x", f"{face}_y")
+        )
+        for face in ("bottom", "top")
+    )
+    return below, above
+
+
+def _of_beam(model: Model, steel: Reinforcement, links: BeamLinks) -> Iterator[LaidLinks]:
+    """Yield the closed links of a beam, or of a strip that is one, those of one height together."""
+    member = _member(model, links.of)
+    end = member.length if links.end is None else links.end
     number = math.floor((end - links.start) / links.spacing + 1e-9) + 1
-    each = 2 * wide + links.legs * high
-    return LaidLinks(links.of, "link", links.diameter, links.spacing, number, each, middle)
+    alike = dict[float, list[tuple[float, float]]]()
+    for way in (links.start + links.spacing * np.arange(number)).tolist():
+        point = member.axis.interpolate(min(way / member.length, 1.0), normalized=True)
+        h = member.height + (_thickness_at(model, point) if member.with_slab else 0.0)
+        alike.setdefault(h, []).append((point.x, point.y))
+    for h, places in alike.items():
+        middle = places[len(places) // 2]
+        covers = _covers(steel, middle)
+        each = 2 * (member.width - 2 * min(covers)) + links.legs * (h - sum(covers))
+        yield LaidLinks(links.of, "link", links.diameter, links.spacing, len(places), each, middle)
 
 
-def _size(model: Model, name: str) -> tuple[float, float, float, tuple[float, float]]:
-    """Return length, width and height of a beam [m], and its middle."""
-    t = model.plate.thickness
+def _thickness_at(model: Model, point: Point) -> float:
+    """Return the thickness of the slab at a place [m]: of its last zone there, else its own."""
+    plate = model.every_plate[get_plate_region(model.plate, model.plates).plate_at((point.x, point.y))]
+    there = [zone.thickness for zone in plate.zones if polygon_of(zone.shape.ring()).covers(point)]
+    return (there[-1] if there else None) or plate.thickness
+
+
+class _Member(NamedTuple):
+    """A beam, or a strip that is one."""
+
+    axis: LineString
+    length: float  # [m]
+    width: float  # [m]
+    height: float  # of its section, beside the slab if that belongs to it [m]
+    with_slab: bool
+
+
+def _member(model: Model, name: str) -> _Member:
+    """Return a beam, or a strip that is one."""
+    from shapely import LineString
+
     for strip in model.output.beams:
         if strip.name == name:
-            (x0, y0), (x1, y1) = strip.start, strip.end
-            return math.dist(strip.start, strip.end), strip.width, t, ((x0 + x1) / 2, (y0 + y1) / 2)
+            return _Member(
+                LineString([strip.start, strip.end]), math.dist(strip.start, strip.end), strip.width, 0.0, True
+            )
     beam = next(beam for beam in model.beams if beam.name == name)
     section = beam.section
     assert not isinstance(section, GivenSection)
-    edge = beam.edges[len(beam.edges) // 2]
-    x, y = ((a + b) / 2 for a, b in zip(edge.start, edge.end, strict=True))
-    return beam.length, section.width, section.height + (t if isinstance(section, RibSection) else 0.0), (x, y)
+    axis = beam.to_shapely(FLAT * max(model.sides))
+    return _Member(axis, beam.length, section.width, section.height, isinstance(section, RibSection))

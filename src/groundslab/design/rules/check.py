@@ -185,6 +185,11 @@ class DesignCheck:
         return over / under if under else float("inf") if over else 0.0
 
 
+def severity(status: Status) -> int:
+    """Return a number that is the larger the worse a check ended: what ends worst is shown, whatever its share."""
+    return -ORDER.index(status)
+
+
 def not_judged(name: str, why: Unjudged, words: str, **about: Any) -> DesignCheck:
     """Return a check that ends without a verdict, with what to do in its words."""
     return DesignCheck(

@@ -110,6 +110,15 @@ class ShearRule:
     link_distance: Callable[[Reinforcement, ShearDemand], float] | None = None
 
 
+class TensionBars(NamedTuple):
+    """Bars in tension that a column or pile needs along both axes."""
+
+    name: str  # of the column or pile
+    face: str  # "bottom" or "top"
+    area: float  # [m2/m]
+    reach: float  # from its faces [m]
+
+
 @dataclass(frozen=True, slots=True)
 class PunchingRule:
     """Punching, or two-way shear, at columns, over piles, around thicker zones, and at ends and corners of walls.
@@ -136,6 +145,8 @@ class PunchingRule:
     links : callable or None
         Of all combinations, materials, the way and what punches so: what needs links, with their perimeters, or why
         links do not help.
+    bars_for_links : callable or None
+        Of materials, the way and what punches so: the bars in tension with which links suffice where they do not yet.
     depth : str
         The symbol of the effective depth.
     beyond_faces : float
@@ -153,6 +164,7 @@ class PunchingRule:
     extremes: Heads = ()
     with_errors: tuple[str, ...] = ()
     links: Callable[[Results, Reinforcement, Support, Demands[Any]], Iterator[LinkDemand]] | None = None
+    bars_for_links: Callable[[Reinforcement, Support, Demands[Any]], Iterator[TensionBars]] | None = None
     depth: str = "d"
     beyond_faces: float = 1.0
 

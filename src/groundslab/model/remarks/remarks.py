@@ -20,6 +20,7 @@ from groundslab.model.loads.load_types import SelfWeight
 from groundslab.model.loads.patterns import Vehicle, absent_forces
 from groundslab.model.plates.region import get_plate_region
 from groundslab.model.remarks.case_use import CaseUse, case_uses
+from groundslab.model.remarks.grade_beams import as_toml, find_strips
 from groundslab.model.remarks.pits import pit_remarks
 from groundslab.model.remarks.pulling_cores import pulling_cores
 from groundslab.model.remarks.resultants import case_forces
@@ -214,11 +215,14 @@ def _on_strips(model: Model) -> Iterator[Remark]:
     for part in get_parts(region.area):
         width = 2 * maximum_inscribed_circle(part, tolerance=0.01 * thickest).length
         if width <= WIDE * thickest and part.area >= LONG * width**2:
-            words = Message(
+            words: str = Message(
                 "the slab is nowhere wider than {width:.3g m}, {times:.2g} times its thickness: strips that bend as "
                 'beams; those in output.strips with design = "beam" are designed as such',
                 width=width, times=width / thickest,
             )  # fmt: skip
+            if strips := find_strips(model):
+                words = Message("{text}; to be pasted at the end of the case: {entries}", text=words,
+                                entries=Name(f"\n\n{as_toml(strips)}"))  # fmt: skip
             yield Remark(("plate",), words)
             return
 

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from operator import itemgetter
-from typing import TYPE_CHECKING, Annotated, Any, Literal, NamedTuple
+from typing import TYPE_CHECKING, Annotated, Literal, NamedTuple
 
 import numpy as np
 
 from groundslab.accuracy.values import error_of_contact_share, error_of_largest, estimate_error
 from groundslab.design.demands.by_plate import results_by_plate
-from groundslab.design.demands.design_moments import derive_field, fields_of, wood_armer
+from groundslab.design.demands.design_moments import DesignMoments, derive_field, fields_of
 from groundslab.design.demands.tilt import largest_tilt
 from groundslab.errors import InputError, Issue
 from groundslab.geometry.plan import format_place
@@ -50,8 +50,9 @@ FIELDS: dict[str, OutputQuantity] = {
     },
     "shear": OutputQuantity("force per length", "transverse shear force in its own direction, never negative"),
     "tensile stress": OutputQuantity("pressure", "largest tension by bending at either face, 6 m / t^2"),
-    "reinforcement bottom x": OutputQuantity(_STEEL, "bars along x at the bottom by the code of the case, infinite "
-        "where the concrete is too weak, over the ultimate combinations; the case needs [reinforcement]"),
+    "reinforcement bottom x": OutputQuantity(_STEEL, "bars along x at the bottom by the code of the case and the "
+        "moments that its checks are for, infinite where the concrete is too weak, over the ultimate combinations; the "
+        "case needs [reinforcement]"),
     "reinforcement bottom y": OutputQuantity(_STEEL, "the same along y"),
     "reinforcement top x": OutputQuantity(_STEEL, "the same along x at the top"),
     "reinforcement top y": OutputQuantity(_STEEL, "the same along y at the top"),
@@ -59,7 +60,8 @@ FIELDS: dict[str, OutputQuantity] = {
 }  # fmt: skip
 
 #: Fields that depend on the thickness of the plate.
-_NEEDS_THICKNESS = {name for name in FIELDS if name.startswith("reinforcement")} | {"tensile stress"}
+_STEEL_FIELDS = {name for name in FIELDS if name.startswith("reinforcement")}
+_NEEDS_THICKNESS = _STEEL_FIELDS | {"tensile stress"}
 
 #: Quantities of the whole plate, by name.
 SCALARS: dict[str, OutputQuantity] = {
@@ -262,7 +264,9 @@ def _in_depth(output: RequestedOutput, results: CombinationResult) -> float | No
 def field_of(results: CombinationResult, name: str) -> Array:
     """Return a field of FIELDS at the plate's nodes (n,), in SI units."""
     thickness = results.elements.at_nodes(results.plate)[0] if name in _NEEDS_THICKNESS else np.zeros(0)
-    return _derive(results, name, fields_of(results.plate), thickness)
+    if name in _STEEL_FIELDS:
+        return _required_bars(results, name, _design_moments(results), thickness)
+    return _derive(name, fields_of(results.plate), thickness)
 
 
 def _value_at(results: CombinationResult, output: RequestedOutput) -> float:
@@ -276,36 +280,43 @@ def _value_at(results: CombinationResult, output: RequestedOutput) -> float:
     (element,), local = locate(Mesh(plate.nodes, plate.elements), np.array([[output.x, output.y]]))
     if element < 0:
         raise InputError([Issue(output.name, f"({output.x:g}, {output.y:g}) m", "a point on the plate")])
-    weights = q9(local)[0]
-    fields = {name: weights @ getattr(plate, name)[plate.elements[element]] for name in PLATE_FIELDS}
-    return float(_derive(results, output.of, fields, results.elements.thickness[[element]])[0])
+    weights, nodes, thickness = q9(local)[0], plate.elements[element], results.elements.thickness[[element]]
+    if output.of in _STEEL_FIELDS:
+        moments = _design_moments(results)
+        there = DesignMoments(**{layer: weights @ getattr(moments, layer)[nodes] for layer in LAYERS})
+        return float(_required_bars(results, output.of, there, thickness)[0])
+    fields = {name: weights @ getattr(plate, name)[nodes] for name in PLATE_FIELDS}
+    return float(_derive(output.of, fields, thickness)[0])
 
 
-def _derive(results: CombinationResult, name: str, fields: dict[str, Array], thickness: Array) -> Array:
+def _derive(name: str, fields: dict[str, Array], thickness: Array) -> Array:
     """Return a field of FIELDS (n,) from the plate's own fields (n,), all in SI units."""
     if name in _RESULT_FIELDS:
         return derive_field(fields, _RESULT_FIELDS[name])
     if name == "shear":
         return np.hypot(fields["shear_x"], fields["shear_y"])
-    if name == "tensile stress":
-        # linear over the thickness: at the bottom by the larger moment, at the top by the smaller one
-        moment = np.maximum(derive_field(fields, "m_1"), -derive_field(fields, "m_2"))
-        stress: Array = 6 * np.maximum(moment, 0.0) / thickness**2
-        return stress
-    design = wood_armer(fields["moment_x"], fields["moment_y"], fields["moment_xy"])
-    return _required_bars(results, name, design, thickness)
+    # the tensile stress, linear over the thickness: at the bottom by the larger moment, at the top by the smaller one
+    moment = np.maximum(derive_field(fields, "m_1"), -derive_field(fields, "m_2"))
+    stress: Array = 6 * np.maximum(moment, 0.0) / thickness**2
+    return stress
 
 
-def _required_bars(results: CombinationResult, name: str, design: Any, thickness: Array) -> Array:
-    """Return required areas of bars (n,) [m2/m] for design moments (n,)."""
-    from groundslab.design.codes.registry import code_of
-    from groundslab.design.rules.bending import Axes, slab
+def _design_moments(results: CombinationResult) -> DesignMoments:
+    """Return the design moments (n,) [N m/m] that the checks of the case's bars are for, averaged as it says."""
+    from groundslab.design.demands.support_moments import bar_moments
 
     steel = results.model.reinforcement
     assert steel is not None
-    axes = Axes(*steel.bottom_axes, *steel.top_axes)
-    rule = code_of(steel).bending(steel, "ultimate")
-    reinforcement = slab(design, thickness, axes, rule.required)
+    return bar_moments(results, steel)
+
+
+def _required_bars(results: CombinationResult, name: str, moments: DesignMoments, thickness: Array) -> Array:
+    """Return required areas of bars (n,) [m2/m] for design moments (n,)."""
+    from groundslab.design.bars.required_bars import areas_for
+
+    steel = results.model.reinforcement
+    assert steel is not None
+    reinforcement = areas_for(moments, thickness, steel, results.limit_state)
     layers = {layer: getattr(reinforcement, layer) for layer in LAYERS}
     wanted = name.removeprefix("reinforcement").strip().replace(" ", "_")
     area: Array = layers[wanted] if wanted else np.max(list(layers.values()), axis=0)

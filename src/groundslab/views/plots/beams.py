@@ -9,7 +9,7 @@ import numpy as np
 
 from groundslab.design.bars.members import member_forces
 from groundslab.messages import Message, Name
-from groundslab.unit_systems import in_system, unit_in
+from groundslab.unit_systems import System, in_system, unit_in
 from groundslab.units import UNITS
 from groundslab.views.plots import style
 from groundslab.views.plots.annotations import TitleLine, draw_title
@@ -26,11 +26,12 @@ if TYPE_CHECKING:
     from groundslab.views.plots.request import PlotRequest
 
 #: Boxes of the curves [mm].
-LEFT, HIGH, ABOVE, BETWEEN, BELOW = 17.0, 30.0, 12.0, 4.0, 13.0
+LEFT, HIGH, ABOVE, BETWEEN, BELOW = 19.0, 30.0, 12.0, 4.0, 13.0
 #: So many beams are on a page, and so many with more than moments and shear forces.
 ON_PAGE, ON_PAGE_WITH_MORE = 3, 2
 #: What is drawn of each beam: its attribute, its symbol, its unit, and whether positive values point down.
-DRAWN = (
+Shown = tuple[str, str, str, bool]
+DRAWN: tuple[Shown, ...] = (
     ("moment", "M", "kNm", True), ("shear", "V", "kN", False), ("torsion", "T", "kNm", False),
     ("axial", "N", "kN", False),
 )  # fmt: skip
@@ -92,13 +93,20 @@ def draw_curves(request: PlotRequest, curves: Sequence[BeamCurves], *, titled: b
     if titled:
         certified = all(combination.certified for combination in request.combinations)
         top = page.write_heading(request.combined.model.title, ["Beams"], "" if certified else NOT_CERTIFIED)
+    return draw_below(page, top, curves, request.combined.model.units, DRAWN, "distance s along the beam")
+
+
+def draw_below(
+    page: style.Page, top: float, curves: Sequence[BeamCurves], units: System, shown: Sequence[Shown], distance: str
+) -> Figure:
+    """Return curves one below the other, from some way [mm] below the top of a page on."""
     width = style.PAGE_WIDTH - LEFT - style.MARGIN - 3
     legend: dict[str, Any] = {}
     for beam in curves:
         top += ABOVE
-        drawn = [each for each in DRAWN if each[0] in beam.values]
+        drawn = [each for each in shown if each[0] in beam.values]
         for row, (what, symbol, unit, downwards) in enumerate(drawn):
-            label = f"{symbol} [{unit_in(unit, request.combined.model.units)[0]}]"
+            label = f"{symbol} [{unit_in(unit, units)[0]}]"
             axes = page.add_axes(LEFT, top, width, HIGH)
             legend |= _draw(axes, beam, what)
             axes.set(xlim=(0.0, float(beam.way[-1])), ylabel=label)
@@ -109,7 +117,7 @@ def draw_curves(request: PlotRequest, curves: Sequence[BeamCurves], *, titled: b
                 draw_title(axes, [TitleLine(style.plain_text(beam.name, 80), style.BASE, style.INK, "bold")])
             axes.tick_params(labelbottom=row == len(drawn) - 1)
             top += HIGH + BETWEEN
-        axes.set_xlabel(style.label_of_length("distance s along the beam"))
+        axes.set_xlabel(style.label_of_length(distance))
         top += BELOW - BETWEEN
     return page.finish(top, legend if any(len(beam.names) > 1 for beam in curves) else {})
 

@@ -7,6 +7,7 @@ import numpy as np
 from groundslab.arrays import Array
 from groundslab.design.demands.design_moments import fields_of
 from groundslab.design.demands.section_cuts import carried_across, cut_along, strip
+from groundslab.design.demands.strip_balance import strip_balance
 from groundslab.design.rules.combinations import solved_results
 from groundslab.errors import InputError
 from groundslab.fem.mesh import Mesh, locate
@@ -21,6 +22,15 @@ from groundslab.views.tables.quantities import point_values
 from groundslab.views.tables.table import Cell, Table, table_of
 
 SETTLEMENT, STRESS = ("settlement w", "mm"), ("vertical stress sigma_z", "kPa")
+#: What of the table of strips shows that the forces on the pieces between cuts are in equilibrium.
+BALANCE = [
+    ("loads before", "kN"), ("reactions before", "kN"), ("shear of sides before", "kN"),
+    ("imbalance of shear", "kN"), ("imbalance of moment", "kNm"),
+]  # fmt: skip
+BALANCE_NOTE = (
+    "Before a cut are the loads, the forces of ground and supports, and the shear beyond both sides, on the piece from "
+    "the cut before; what is left of the change of shear and moment between both is the error of the section forces."
+)
 _HEADS = [about.head for about in POINT_FIELDS.values()]
 _RECOVERED = (
     "Moments and shear forces are nodal values recovered from patches within one section of the plate, in between by "
@@ -110,6 +120,7 @@ def strips(combined: Results) -> Table:
     ]  # fmt: skip
     members = bool(combined.model.members)
     heads += [("moment of beams", "kNm"), ("shear of beams", "kN")] if members else []
+    heads += BALANCE
     rows: list[list[Cell]] = []
     missed: list[str] = []
     for results in solved_results(combined):
@@ -124,7 +135,11 @@ def strips(combined: Results) -> Table:
             beams = _of_beams(results, output, f.s).T if members else ()
             fields = (*forces, *design, *beams)
             values = np.column_stack([f.s, f.x, f.y, f.length, *(field / 1e3 for field in fields)])
-            rows += [[results.combination, output.name, *row] for row in values]
+            balance = strip_balance(results, output, f)
+            left = (
+                np.full((len(f.s), len(BALANCE)), None) if balance is None else np.column_stack(balance.columns) / 1e3
+            )
+            rows += [[results.combination, output.name, *row, *rest] for row, rest in zip(values, left, strict=True)]
     notes = [
         "Moments bend the strip along its axis, sagging positive; moment and shear are integrals over the width that "
         "lies on the plate, mean ones are these by that width.",
@@ -135,6 +150,7 @@ def strips(combined: Results) -> Table:
             if members
             else []
         ),
+        BALANCE_NOTE,
         *_not_met("strip", missed),
     ]
     return table_of("strips", "Design strips", heads, rows, notes)

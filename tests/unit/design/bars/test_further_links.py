@@ -9,6 +9,7 @@ import pytest
 
 from groundslab.design.bars.further_links import further_links
 from groundslab.model.model import Model
+from groundslab.model.plate import Zone
 from groundslab.views.drawing.bars import draw
 from groundslab.views.drawing.shapes import Text
 from groundslab.views.tables.bar_quantities import bars
@@ -56,6 +57,24 @@ def test_numbers_and_lengths_by_hand() -> None:
     assert (strip.number, strip.length) == (41, pytest.approx(2 * 0.9 + 4 * 0.5))
     assert (rib.number, rib.length) == (9, pytest.approx(2 * 0.3 + 2 * 1.0))
     assert strip.mass == pytest.approx(41 * 3.8 * 7850 * math.pi * 0.006**2)
+
+
+def test_lengths_follow_the_thickness_there() -> None:
+    """In a thicker zone links are longer by what it is thicker; a later zone counts, and so do thicker bars there."""
+    zone = {"shape": {"kind": "rectangle", "x": (3.0, 4.0), "y": (-0.5, 0.5)}, "thickness": 0.8}
+    of = model(**LINKS)
+    thick = of.replace(plate=of.plate.model_copy(update={"zones": (Zone.model_validate(zone),)}))
+    zoned, plain, *beams = further_links(thick)
+    assert (zoned.number, zoned.length, zoned.corners) == (20, pytest.approx(0.7), (3.0, -0.5, 4.0, 0.5))
+    assert (plain.number, plain.length, plain.corners) == (20, pytest.approx(0.5), (2.0, -0.5, 3.0, 0.5))
+    strips = [(each.number, each.length) for each in beams if each.name == "S"]
+    # links at 0, 0.2, ... 8 m, those from 7 m on in the zone
+    assert strips == [(35, pytest.approx(2 * 0.9 + 4 * 0.5)), (6, pytest.approx(2 * 0.9 + 4 * 0.7))]
+    bars = {"name": "Z", "shape": zone["shape"], "layers": ["top_x"], "diameter": 0.032, "spacing": 0.15}
+    axes = {"cover": None, "bottom": (0.06, 0.08), "top": (0.06, 0.08)}
+    zoned, plain, *_ = further_links(model(**LINKS, **axes, zones=[bars]).replace(plate=thick.plate))
+    assert plain.length == pytest.approx(0.6 - 2 * (0.06 - 0.016 / 2))
+    assert zoned.length == pytest.approx(0.8 - (0.06 - 0.016 / 2) - (0.06 - 0.032 / 2))
 
 
 def test_table_and_drawing_have_them() -> None:

@@ -117,6 +117,25 @@ def test_bars_provided_count_and_thin_slabs_have_no_links() -> None:
     assert "too thin for links (12.4.2(2))" in thin["punching"].words
 
 
+def test_what_needs_attention_stands_before_what_uses_more() -> None:
+    """A column whose links hold at distances that are not known, beside one with hardly enough without any."""
+    links = {"of": "C1", "diameter": 0.016, "distances": (0.15, 0.4, 0.65), "legs": (32,)}
+    thick = {key: {"diameter": 0.02, "spacing": 0.1} for key in LAID}
+    forces = [
+        {"kind": "point", "P": P, "column": name, "case": "G"} for name, P in (("C1", 1.05e6), ("C2", 0.9e6))
+    ]  # fmt: skip
+    columns = [COLUMN | {"x": -2.0}, COLUMN | {"name": "C2", "x": 2.0}]
+    found = {
+        name: rows(thick | given, loads=of, columns=columns)["punching"]
+        for name, given, of in (
+            ("C1", {"links": [links]}, forces[:1]), ("C2", {}, forces[1:]), ("both", {"links": [links]}, forces)
+        )
+    }  # fmt: skip
+    assert (found["C1"].status, found["C2"].status) == ("attention", "no failure found")
+    assert (found["C1"].utilization or 0.0) < (found["C2"].utilization or 0.0)
+    assert (found["both"].status, found["both"].of) == ("attention", "C1")
+
+
 def test_partial_factors() -> None:
     """gamma_V of the case in ultimate combinations, that of Table 4.3 in accidental ones."""
     assert rows({"gamma_v": 1.2}, 0.5e6)["punching"].resistance == pytest.approx(resistance(0.02, 1.2), rel=1e-4)

@@ -124,6 +124,28 @@ def test_thin_parts_are_not_hidden_by_thick_ones() -> None:
     assert "too thin" in found.words
 
 
+def test_what_fails_stands_before_what_needs_attention() -> None:
+    """Links too few on one side, hardly too few, fail; none on the other one, much needed, is still attention."""
+    few = {"shape": AREA | {"x": (0.0, 3.9)}, "diameter": 0.006}
+    model = slab(with_links(LAID, few))
+    found, beside = check(model), check(slab(LAID))
+    assert found.utilization is not None
+    assert beside.utilization is not None
+    assert found.utilization < beside.utilization
+    assert (found.status, beside.status) == ("fails", "attention")
+    assert found.of == "middle"
+
+
+def test_thin_parts_that_need_links_stand_before_thick_ones() -> None:
+    """Without any links, too: what is too thin for links fails, whatever a thicker part uses."""
+    thin = {"thickness": 0.19, "shape": {"kind": "rectangle", "x": (1.8, 4.0), "y": (-3.0, 3.0)}}
+    model = slab(LAID, q=1000e3)
+    model = model.replace(plate=model.plate.model_copy(update={"zones": (Zone.model_validate(thin),)}))
+    found, thick = check(model), check(slab(LAID, q=1000e3))
+    assert (found.status, thick.status) == ("fails", "attention")
+    assert "too thin" in found.words
+
+
 def test_struts_that_fail_are_no_question_of_links() -> None:
     """As many as one likes do not help."""
     found = check(slab(with_links(LAID, {"spacing_x": 0.05, "spacing_y": 0.05, "diameter": 0.02}), q=6000e3))

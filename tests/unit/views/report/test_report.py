@@ -233,7 +233,8 @@ class TestStructure:
         ]
         case = root.one("section", id="case").text
         assert [case.count(each) for each in ("mean scaled Jacobian", "unknowns1234")] == [1, 1]
-        pictures = list(root.one("section", id="pictures").all("svg", class_="drawing"))
+        *pictures, strips = root.one("section", id="pictures").all("svg", class_="drawing")
+        assert strips.attributes["aria-label"].startswith("Along the strips ")
         shown = [picture.attributes["aria-label"].partition(" [")[0] for picture in pictures]
         assert shown[:2] == ["Settlement of the plate, downwards positive", "Contact pressure under the plate"]
         assert [words.partition(",")[0] for words in shown[-4:]] == [

@@ -120,7 +120,7 @@ def cover(field: Field, options: Options, most: int, price: float, blocks: int) 
 
 
 @dataclass(frozen=True, slots=True)
-class _Pairs:
+class Pairs:
     """Intervals of n blocks, the shortest first, those of one length by their start."""
 
     lines: Integers  # (n + 1,): cells before each line between blocks
@@ -154,7 +154,7 @@ class _Pairs:
 class _Windows:
     """The best zone of each window by itself: all arrays (p, q) over intervals along and across."""
 
-    pairs: tuple[_Pairs, _Pairs]
+    pairs: tuple[Pairs, Pairs]
     needed: Flags
     steel: Array  # [m3]; inf where no zone is enough
     count: Integers
@@ -198,17 +198,17 @@ class _Windows:
         return zones
 
 
-def _lines(size: int, every: int, blocks: int) -> _Pairs:
+def block_lines(size: int, every: int, blocks: int) -> Pairs:
     """Return lines between no more than so many blocks of cells, at multiples of some cells."""
     places = np.arange(0, size + 1, every)
     number = min(blocks, len(places) - 1)
-    return _Pairs(places[np.round(np.linspace(0, len(places) - 1, number + 1)).astype(int)])
+    return Pairs(places[np.round(np.linspace(0, len(places) - 1, number + 1)).astype(int)])
 
 
 def _zones_of_windows(field: Field, options: Options, blocks: int) -> _Windows:
     """Return the best zone of each window by itself."""
     m, w = field.excess.shape
-    along, across = _lines(m, field.every, blocks), _lines(w, 1, blocks)
+    along, across = block_lines(m, field.every, blocks), block_lines(w, 1, blocks)
     share = field.excess[..., None] / options.area  # (m, w, o)
     none = share <= 0
     place, (start, end) = np.arange(m)[:, None, None], (side[..., None] for side in field.runs)

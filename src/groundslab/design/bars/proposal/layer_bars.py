@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
+import heapq
 import math
-from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import cache, partial
+from typing import NamedTuple
 
 import numpy as np
 
 from groundslab.arrays import Array
+from groundslab.design.bars.proposal.base_parts import OVER, BasePart, best_part
 from groundslab.design.bars.proposal.covering import Field, Options, Zone, cover
-from groundslab.design.bars.proposal.plan_grid import PARTS, PlanGrid, Rectangle, spread_along
+from groundslab.design.bars.proposal.plan_grid import PARTS, PlanGrid, Rectangle, Window, spread_along
 from groundslab.design.rules.detailing_rule import DetailingRule, EndingBar
 from groundslab.model.design.bars import Bars
 from groundslab.model.design.laid_bars import bar_area
@@ -18,10 +22,14 @@ from groundslab.model.design.reinforcement import Reinforcement
 
 #: Spacings of a zone's bars over those of the base, and how many of them lie in a gap of the base at most.
 MULTIPLES = {0.5: 2, 1.0: 1, 2.0: 1}
+#: The same of additional bars where the base has a part of its own, whose bars lie in each gap: one more there.
+BESIDE_PART = {1.0: 2, 2.0: 2}
+#: So many bases with a part of their own are covered in coarse blocks.
+MOST_PARTS = 10
 #: Blocks of cells along and across at most, where all bases are compared, and where the best of them are.
 COARSE, FINE = 10, 24
 #: How many bases are covered in fine blocks.
-BEST = 4
+BEST = 5
 #: What counts as rounding, relative.
 ROUNDING = 1e-9
 
@@ -70,11 +78,18 @@ class LayerTask:
         below = thickest - self.distance if self.at_top else self.distance
         return EndingBar(diameter, self.distance, spacing, below, thickest - below)
 
-    def shifted_needs(self, diameter: float, spacing: float, rule: DetailingRule) -> Array:
-        """Return what cells (m, w) need [m2/m] with the shift of moments along the bars, 0 off the plan."""
+    def shift(self, diameter: float, rule: DetailingRule) -> Array:
+        """Return how far moments are shifted along the bars, in whole cells (m, w)."""
         shift = rule.shift(self.thickness - self.distance, diameter)
-        reach = np.ceil(shift / self.grid.step * PARTS - ROUNDING)
-        return np.where(self.area > 0, spread_along(self.needs(diameter, spacing), reach), 0.0)
+        return np.ceil(np.maximum(shift, 0.0) / self.grid.step * PARTS - ROUNDING)
+
+    def needs_in_plan(self, diameter: float, spacing: float) -> Array:
+        """Return what cells (m, w) need [m2/m], 0 off the plan."""
+        return np.where(self.area > 0, self.needs(diameter, spacing), 0.0)
+
+    def shifted(self, needs: Array, shift: Array) -> Array:
+        """Return what cells (m, w) need [m2/m] with the shift of moments along the bars, 0 off the plan."""
+        return np.where(self.area > 0, spread_along(needs, shift), 0.0)
 
     @property
     def area(self) -> Array:
@@ -85,10 +100,26 @@ class LayerTask:
 
 @dataclass(frozen=True, slots=True)
 class LayerProposal:
-    """The base of a layer, and the bars of its zones with their rectangles, from the left."""
+    """The base of a layer, with more bars in a part of the slab, and the bars of zones, with rectangles from the left.
+
+    The part is one rectangle, or as many as it has images where the slab is symmetric.
+    """
 
     base: Bars
     zones: tuple[tuple[Bars, Rectangle], ...]
+    part: tuple[tuple[Bars, Rectangle], ...] = ()
+
+    @property
+    def thickest(self) -> float:
+        """Return the largest diameter [m]."""
+        return max(bars.diameter for bars in (self.base, *(bars for bars, _ in (*self.part, *self.zones))))
+
+    def rectangles(self, layer: str) -> dict[str, tuple[Bars, Rectangle]]:
+        """Return all bars in rectangles by the names of these, with that of the layer."""
+        words = layer.replace("_", " ")
+        several = len(self.part) > 1
+        of_part = {f"{words} base {n}" if several else f"{words} base": each for n, each in enumerate(self.part, 1)}
+        return of_part | {f"{words} {n}": each for n, each in enumerate(self.zones, 1)}
 
 
 @dataclass(frozen=True, slots=True)
@@ -99,16 +130,22 @@ class _Candidate:
     field: Field
     additions: tuple[Bars, ...]
     options: Options
+    part: BasePart | None = None
 
     @property
     def of_base(self) -> float:
-        """Return the steel of the base [m3]."""
-        return bar_area(self.base) * float(self.field.area.sum())
+        """Return the steel of the base and its part [m3]."""
+        of_part = 0.0 if self.part is None else self.part.steel(self.field)
+        return bar_area(self.base) * float(self.field.area.sum()) + of_part
 
     @property
     def lowest(self) -> float:
         """Return the steel at least [m3]: of the base, and of what is needed beyond it."""
         return self.of_base + float((self.field.excess * self.field.area).sum())
+
+    def expected(self, over: float) -> float:
+        """Return about what steel there will be [m3], zones having so many times what is needed beyond the base."""
+        return self.of_base + over * float((self.field.excess * self.field.area).sum())
 
 
 def propose_layer(task: LayerTask, steel: Reinforcement, rule: DetailingRule) -> LayerProposal | None:
@@ -125,9 +162,10 @@ def propose_layer(task: LayerTask, steel: Reinforcement, rule: DetailingRule) ->
         for candidate in sorted(of, key=lambda one: one.lowest):
             if len(found) == number and candidate.lowest >= found[-1][0] * (1 - ROUNDING):
                 break
-            zones = cover(candidate.field, candidate.options, most, price, blocks)
+            parts = 0 if candidate.part is None else candidate.part.count(candidate.field)
+            zones = cover(candidate.field, candidate.options, most - parts, price, blocks) if parts <= most else None
             if zones is not None:
-                cost = candidate.of_base + sum(zone.steel + price * zone.count for zone in zones)
+                cost = candidate.of_base + sum(zone.steel + price * zone.count for zone in zones) + price * parts
                 found = sorted([*found, (cost, candidate, zones)], key=lambda one: one[0])[:number]
         return found
 
@@ -138,46 +176,114 @@ def propose_layer(task: LayerTask, steel: Reinforcement, rule: DetailingRule) ->
 
 
 def _proposal(candidate: _Candidate, zones: list[Zone], task: LayerTask) -> LayerProposal:
-    """Return a base with its zones."""
-    laid = list[tuple[Bars, Rectangle]]()
-    for zone in zones:
-        i0, i1, j0, j1 = zone.cells
-        along, across = (i0 // PARTS, i1 // PARTS), (j0, j1)
-        cells = (*along, *across) if task.axis == 0 else (*across, *along)
-        laid += [(candidate.additions[zone.option], rectangle) for rectangle in task.grid.rectangles(cells)]
-    return LayerProposal(candidate.base, tuple(sorted(laid, key=lambda zone: zone[1])))
+    """Return a base with its part and zones."""
+    laid = [
+        (candidate.additions[zone.option], rectangle)
+        for zone in zones
+        for rectangle in _rectangles(task, zone.cells)
+    ]  # fmt: skip
+    part = candidate.part
+    of_part = () if part is None else tuple((part.bars, rectangle) for rectangle in _rectangles(task, part.cells))
+    return LayerProposal(candidate.base, tuple(sorted(laid, key=lambda zone: zone[1])), of_part)
+
+
+def _rectangles(task: LayerTask, cells: Window) -> list[Rectangle]:
+    """Return the rectangles of cells along and across the bars, and of their images."""
+    i0, i1, j0, j1 = cells
+    along, across = (i0 // PARTS, i1 // PARTS), (j0, j1)
+    return task.grid.rectangles((*along, *across) if task.axis == 0 else (*across, *along))
 
 
 def _candidates(task: LayerTask, steel: Reinforcement, rule: DetailingRule) -> Iterator[_Candidate]:
     """Yield what may be tried and may be enough."""
-    area = task.area
-    folded = task.grid.folded if task.axis == 0 else task.grid.folded[::-1]
-    shifted = {
-        (thickest, spacing): task.shifted_needs(thickest, spacing, rule)
-        for thickest in task.diameters
-        for spacing in task.spacings
-    }
     bases = list(_bases(task, steel, rule))
     enough = [base for base in bases if bar_area(base) >= task.least * (1 - ROUNDING)]
-    for base in enough or bases:
-        last: Array | None = None
-        for thickest in (diameter for diameter in reversed(task.diameters) if diameter >= base.diameter):
-            needs = shifted[thickest, base.spacing]
-            excess = np.maximum(needs - bar_area(base) * (1 + ROUNDING), 0.0)
-            # thinner bars are of use only where cracks then need less
-            if np.isinf(excess).any() or (last is not None and np.array_equal(needs, last)):
+    needs_of = cache(partial(_needs, task, rule=rule))
+    tried = [each for base in enough or bases for each in _with_base(task, base, needs_of)]
+    for base, thickest, _, field in tried:
+        additions = [bars for bars in _additions(task, base, MULTIPLES, rule, steel) if bars.diameter <= thickest]
+        if _most(additions) * (1 + ROUNDING) >= field.excess.max():
+            options = _options(task, base, additions, MULTIPLES, steel, rule)
+            yield _Candidate(base, field, tuple(additions), options)
+    for over in OVER:
+        with_parts = _with_parts(task, tried, steel, rule, over)
+        yield from heapq.nsmallest(MOST_PARTS, with_parts, key=lambda each: each.expected(over))
+
+
+class _Needs(NamedTuple):
+    """What cells (m, w) need of bars that are no thicker, and the shift of moments, in cells."""
+
+    area: Array  # [m2/m]
+    shift: Array
+    shifted: Array  # with it [m2/m]
+
+
+def _needs(task: LayerTask, thickest: float, spacing: float, rule: DetailingRule) -> _Needs:
+    """Return what cells need of bars of a diameter [m] or thinner ones, the base having a spacing [m]."""
+    area, shift = task.needs_in_plan(thickest, spacing), task.shift(thickest, rule)
+    return _Needs(area, shift, task.shifted(area, shift))
+
+
+#: A base, the thickest bars that are counted on, what cells need, and the field beyond the base.
+_Tried = tuple[Bars, float, _Needs, Field]
+
+
+def _with_base(task: LayerTask, base: Bars, needs_of: Callable[[float, float], _Needs]) -> Iterator[_Tried]:
+    """Yield a base with what cells need beyond it, by the thickest bars that are counted on and the base's spacing."""
+    area = task.area
+    folded = task.grid.folded if task.axis == 0 else task.grid.folded[::-1]
+    last: Array | None = None
+    for thickest in (diameter for diameter in reversed(task.diameters) if diameter >= base.diameter):
+        needs = needs_of(thickest, base.spacing)
+        excess = _beyond(needs.shifted, base)
+        # thinner bars are of use only where cracks then need less
+        if np.isinf(excess).any() or (last is not None and np.array_equal(needs.shifted, last)):
+            continue
+        last = needs.shifted
+        yield base, thickest, needs, Field(excess, area, PARTS, folded)
+
+
+def _beyond(needs: Array, base: Bars) -> Array:
+    """Return what cells (m, w) need beyond a base [m2/m]."""
+    return np.maximum(needs - bar_area(base) * (1 + ROUNDING), 0.0)
+
+
+def _with_parts(
+    task: LayerTask, tried: Sequence[_Tried], steel: Reinforcement, rule: DetailingRule, over: float
+) -> Iterator[_Candidate]:
+    """Yield bases with more bars in a part of the slab, that may be enough; `over` as in `best_part`."""
+    for base, thickest, needs, field in tried:
+        every = [bars for bars in _additions(task, base, BESIDE_PART, rule, steel) if bars.diameter <= thickest]
+        if not every:
+            continue
+        options = _options(task, base, every, BESIDE_PART, steel, rule)
+        for bars, anchorage in zip(every, options.anchorage.tolist(), strict=True):
+            # a gap of the base has one bar of its part
+            part = best_part(field, bars, anchorage, options.least, over) if bars.spacing == base.spacing else None
+            if part is None:
                 continue
-            last = needs
-            additions = [bars for bars in _additions(task, base, rule, steel) if bars.diameter <= thickest]
-            if max((bar_area(bars) for bars in additions), default=0.0) * (1 + ROUNDING) >= excess.max():
-                field = Field(excess, area, PARTS, folded)
-                yield _Candidate(base, field, tuple(additions), _options(task, base, additions, steel, rule))
+            left = np.maximum(_beyond(needs.area, base) - part.developed(field, needs.shift), 0.0)
+            of_zones = replace(field, excess=task.shifted(left, needs.shift))
+            if _most(every) * (1 + ROUNDING) >= of_zones.excess.max():
+                yield _Candidate(base, of_zones, tuple(every), options, part)
 
 
-def _options(task: LayerTask, base: Bars, additions: list[Bars], steel: Reinforcement, rule: DetailingRule) -> Options:
+def _most(additions: Sequence[Bars]) -> float:
+    """Return the largest area of additional bars [m2/m]."""
+    return max((bar_area(bars) for bars in additions), default=0.0)
+
+
+def _options(
+    task: LayerTask,
+    base: Bars,
+    additions: Sequence[Bars],
+    multiples: Mapping[float, int],
+    steel: Reinforcement,
+    rule: DetailingRule,
+) -> Options:
     """Return the bars that zones may have beside a base, with their lengths in cells."""
     step = task.grid.step
-    apart = [base.spacing / (MULTIPLES[round(bars.spacing / base.spacing, 3)] + 1) for bars in additions]
+    apart = [base.spacing / (multiples[round(bars.spacing / base.spacing, 3)] + 1) for bars in additions]
     anchorage = [
         rule.anchorage(steel, task.bar(bars.diameter, distance))
         for bars, distance in zip(additions, apart, strict=True)
@@ -196,9 +302,11 @@ def _bases(task: LayerTask, steel: Reinforcement, rule: DetailingRule) -> Iterat
                 yield Bars(diameter=diameter, spacing=spacing)
 
 
-def _additions(task: LayerTask, base: Bars, rule: DetailingRule, steel: Reinforcement) -> Iterator[Bars]:
+def _additions(
+    task: LayerTask, base: Bars, multiples: Mapping[float, int], rule: DetailingRule, steel: Reinforcement
+) -> Iterator[Bars]:
     """Yield what bars a zone may have beside a base; those in a gap of the base divide it evenly."""
-    for multiple, in_gap in MULTIPLES.items():
+    for multiple, in_gap in multiples.items():
         for diameter in task.diameters if steel.proposal.most_zones else ():
             thickest = max(diameter, base.diameter)
             room = base.spacing / (in_gap + 1) - thickest >= rule.least_clear(steel, thickest) - ROUNDING

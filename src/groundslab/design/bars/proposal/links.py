@@ -2,15 +2,23 @@
 
 from __future__ import annotations
 
-from groundslab.arrays import made_once
+from typing import NamedTuple
+
+import numpy as np
+
+from groundslab.arrays import Array, made_once
 from groundslab.design.codes.registry import code_of
 from groundslab.design.rules.combinations import ultimate_results
-from groundslab.design.rules.punching import punching_supports
+from groundslab.design.rules.punching import forces_that_punch, punching_supports
 from groundslab.design.rules.punching_links.layout import LinkLayout, lay_given_links, lay_links
 from groundslab.model.design.detailing import allowed_bars
 from groundslab.model.design.laid_bars import covers_of
+from groundslab.results.fields import LAYERS
 from groundslab.results.results import Results
 from groundslab.schema.issues import require
+
+#: So many times the bars that links ask for are laid: beside the border of where they count there may be fewer.
+MARGIN = 1.03
 
 
 @made_once
@@ -56,3 +64,33 @@ def punching_links(combined: Results) -> tuple[LinkLayout, ...]:
         for support in punching_supports(combined)
         for demand in rule.links(combined, steel, support, rule.demands_of(combined, support))
     )
+
+
+class NeedsOfLinks(NamedTuple):
+    """The bars (n,) [m2/m] by layer that links against punching ask for at nodes, and at what."""
+
+    areas: dict[str, Array]
+    of: tuple[str, ...]
+
+
+def needs_of_links(combined: Results) -> NeedsOfLinks:
+    """Return the bars with which links against punching suffice at columns and piles where they do not yet.
+
+    With them v_Rd,c is as large as links need. There are none where no bars that count are enough.
+    """
+    steel = combined.model.reinforcement
+    rule = code_of(steel).punching if steel is not None else None
+    nodes = ultimate_results(combined)[0].plate.nodes
+    areas, names = {layer: np.zeros(len(nodes)) for layer in LAYERS}, list[str]()
+    if steel is None or rule is None or rule.bars_for_links is None:
+        return NeedsOfLinks(areas, ())
+    for support in (each for each in punching_supports(combined) if each in ("column", "pile")):
+        forces = {force.name: force for force in forces_that_punch(combined, support)}
+        for asked in rule.bars_for_links(steel, support, rule.demands_of(combined, support)):
+            x0, x1, y0, y1 = forces[asked.name].column.ring().bounds
+            low, high = np.array([x0, y0]) - asked.reach, np.array([x1, y1]) + asked.reach
+            near = ((nodes >= low) & (nodes <= high)).all(axis=1)
+            for layer in (f"{asked.face}_x", f"{asked.face}_y"):
+                areas[layer][near] = np.maximum(areas[layer][near], MARGIN * asked.area)
+            names.append(asked.name)
+    return NeedsOfLinks(areas, tuple(names))

@@ -13,10 +13,11 @@ from groundslab.arrays import Array, Flags
 from groundslab.design.bars.beam_bars import strip_areas
 from groundslab.design.bars.proposal.beam_links import beam_links
 from groundslab.design.bars.proposal.layer_bars import LayerProposal, LayerTask, propose_layer
-from groundslab.design.bars.proposal.links import punching_links
+from groundslab.design.bars.proposal.links import needs_of_links, punching_links
 from groundslab.design.bars.proposal.plan_grid import CellValues, locate_cells, make_grid, symmetric_axes
 from groundslab.design.bars.required_bars import largest_areas, required_areas
 from groundslab.design.codes.registry import code_of
+from groundslab.design.rules.check import some
 from groundslab.design.rules.combinations import ultimate_results
 from groundslab.design.rules.demand_errors import moment_errors
 from groundslab.design.rules.design_code import DesignCode
@@ -92,6 +93,7 @@ def propose_in_layers(results: Results) -> BarProposal:
     cells_of = cache(lambda folded: locate_cells(make_grid(plan, steel.proposal.rounding, folded), plate))
     needs = _requirements(results, steel)
     axes = {layer: axis_of(steel, layer) for layer in LAYERS}
+    with_fewer, for_links = None, list[str]()
     for _ in range(MOST_ROUNDS):
         layers, remarks = dict[str, LayerProposal](), list[str]()
         folded = _symmetric(results, steel, needs)
@@ -100,13 +102,20 @@ def propose_in_layers(results: Results) -> BarProposal:
             task = replace(task, farthest=partial(_farthest, steel, rule, axes[layer]))
             proposed, missed = _propose(task, layer, steel, rule)
             remarks += missed
+            if proposed is None and with_fewer is not None:
+                return with_fewer
             layers[layer] = proposed or _refuse(layer, needs[layer], plate.nodes, steel, rule)
         found = _with_bars(steel, layers)
         more = _requirements(results, found)
         deeper = {layer: max(axes[layer], axis_of(found, layer)) for layer in LAYERS}
         if _enough(found, more, plate.nodes) and (_near(found, rule) or deeper == axes):
-            return _proposal(results, found, more, [*remarks, *_remarks(results, rule)])
-        # bars lie deeper than those whose depths were counted on
+            proposal = _proposal(results, found, more, [*remarks, *_remarks(results, rule), *for_links])
+            if with_fewer is not None or not (asked := needs_of_links(replace(results, model=proposal.model))).of:
+                return proposal
+            template = "bars at {names} are more than bending needs, so that links suffice there against punching"
+            with_fewer, for_links = proposal, [Message(template, names=some(asked.of))]
+            more = {layer: np.maximum(more[layer], asked.areas[layer]) for layer in LAYERS}
+        # bars lie deeper than those whose depths were counted on, or links take more of them
         needs, axes = {layer: np.maximum(needs[layer], more[layer]) for layer in LAYERS}, deeper
     raise GroundslabError(f"no bars were found whose depths are those counted on, in {MOST_ROUNDS} proposals")
 
@@ -312,10 +321,10 @@ def _with_bars(steel: Reinforcement, layers: dict[str, LayerProposal]) -> Reinfo
     """Return the reinforcement with proposed bars in place of its own, at the depth that the thickest of them have."""
     zones = []
     for layer, proposed in layers.items():
-        for number, (bars, (x, y)) in enumerate(proposed.zones, start=1):
+        for name, (bars, (x, y)) in proposed.rectangles(layer).items():
             zones.append(
                 BarZone(
-                    name=f"{layer.replace('_', ' ')} {number}",
+                    name=name,
                     shape={"kind": "rectangle", "x": x, "y": y},
                     layers=(layer,),
                     diameter=bars.diameter,
@@ -325,10 +334,7 @@ def _with_bars(steel: Reinforcement, layers: dict[str, LayerProposal]) -> Reinfo
     changes: dict[str, object] = {layer: proposed.base for layer, proposed in layers.items()}
     for face in ("bottom", "top"):
         if getattr(steel, face) is None:
-            thickest = [
-                max(bars.diameter for bars in (layers[layer].base, *(bars for bars, _ in layers[layer].zones)))
-                for layer in (f"{face}_x", f"{face}_y")
-            ]
+            thickest = [layers[layer].thickest for layer in (f"{face}_x", f"{face}_y")]
             assert steel.cover is not None
             changes[face] = axes_by_cover(steel.cover[face == "top"], steel.outer, *thickest)
     detailing = steel.detailing or Detailing()
@@ -396,4 +402,4 @@ def _remarks(results: Results, rule: DetailingRule) -> Iterator[str]:
         yield "bars at edges of the slab count as held there, though detailing.edge_bars is false: hook them"
     if results.model.cracking is not None:
         yield "[cracking]: bars change the stiffness; solve the case again with them"
-    yield "punching and one-way shear ask for no more bars here; solve the case with the bars and links"
+    yield "one-way shear asks for no more bars here; solve the case with the bars and links"

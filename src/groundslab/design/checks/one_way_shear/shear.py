@@ -26,7 +26,7 @@ from functools import partial
 import numpy as np
 
 from groundslab.accuracy.values import reduction_of
-from groundslab.arrays import Array
+from groundslab.arrays import Array, Flags
 from groundslab.design.checks.one_way_shear.faces import bearers
 from groundslab.design.checks.one_way_shear.necks import neck_cuts
 from groundslab.design.checks.one_way_shear.places import (
@@ -44,7 +44,7 @@ from groundslab.design.demands.edge_strip import plates_that_count, spread_edge_
 from groundslab.design.demands.perimeter_loads import punching_columns, punching_piles
 from groundslab.design.demands.zones.thicker_zones import zone_forces
 from groundslab.design.rules.calculation import Step
-from groundslab.design.rules.check import NO_PLACE, DesignCheck, Status, not_judged
+from groundslab.design.rules.check import NO_PLACE, DesignCheck, Status, not_judged, severity
 from groundslab.design.rules.combinations import ultimate_results
 from groundslab.design.rules.demand_errors import error_of_greatest, scaled
 from groundslab.design.rules.design_code import DesignCode, ShearRule, no_rule
@@ -61,6 +61,8 @@ from groundslab.results.results import CombinationResult, Results
 
 #: What counts as rounding, relative.
 ROUNDING = 1e-9
+#: Depths are about the same if they differ by no more than this, relative.
+ALIKE = 0.01
 #: What is said where the code's rule for distances of links is not known here.
 UNKNOWN_DISTANCES = "how far they may be from each other is not known here"
 
@@ -114,7 +116,7 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
     demands = [demand for result in results for demand in _of_combination(result, case.places, steel, rule)]
     demands += case.across()
     if demands:
-        yield _check(steel, case.code, rule, max(demands, key=lambda demand: _share(steel, rule, demand)))
+        yield _check(steel, case.code, rule, max(demands, key=lambda demand: _rank(steel, rule, demand)))
     else:
         words = "no place of the slab is far enough from what bears on it"
         yield not_judged("one-way shear", NO_PLACE, words)
@@ -135,17 +137,16 @@ def _check(steel: Reinforcement, code: DesignCode, rule: ShearRule, demand: Shea
         which="provided" if steel.laid else "needed for bending",
         clause=Clause(said.clause),
     )
-    status: Status = "no failure found"
+    status = _status(steel, rule, demand)
     if demand.used > 1:
-        area, thin = rule.links(steel, demand), demand.thickness < rule.least_thickness
-        if demand.links is not None and not np.isinf(area) and not thin:
+        if demand.links is not None and _links_help(steel, rule, demand):
             return _with_links(steel, code, rule, demand)
-        status = "fails" if np.isinf(area) or thin else "attention"
+        area = rule.links(steel, demand)
         if demand.at_support:
             words += Message("; links do not suffice at the load there ({clause})", clause=Clause(said.at_support))
         elif np.isinf(area):
             words += Message("; links do not suffice ({clause})", clause=Clause(said.struts))
-        elif thin:
+        elif demand.thickness < rule.least_thickness:
             words += Message("; too thin for links ({clause})", clause=Clause(said.thin))
         else:
             words += Message(
@@ -154,13 +155,35 @@ def _check(steel: Reinforcement, code: DesignCode, rule: ShearRule, demand: Shea
     return demand.check(status, words, f"{code.name} {said.cited}", rule.steps(steel, demand))
 
 
-def _share(steel: Reinforcement, rule: ShearRule, demand: ShearDemand) -> float:
-    """Return the share used of what needs no links, or of links that are needed and given; inf where none help."""
-    if demand.used <= 1 or demand.links is None:
-        return demand.used
-    if demand.thickness < rule.least_thickness:
-        return np.inf
-    return max(limit.used for limit in _limits(steel, rule, demand))
+def _status(steel: Reinforcement, rule: ShearRule, demand: ShearDemand) -> Status:
+    """Return how the check of a place ends."""
+    if demand.used <= 1:
+        return "no failure found"
+    if not _links_help(steel, rule, demand):
+        return "fails"
+    if demand.links is None:
+        return "attention"
+    if max(limit.used for limit in _limits(steel, rule, demand)) > 1 + ROUNDING:
+        return "fails"
+    return "attention" if rule.link_distance is None else "no failure found"
+
+
+def _links_help(steel: Reinforcement, rule: ShearRule, demand: ShearDemand) -> bool:
+    """Return whether links can bear the force of a place: its struts hold, and the slab is thick enough for links."""
+    return not np.isinf(rule.links(steel, demand)) and demand.thickness >= rule.least_thickness
+
+
+def _rank(steel: Reinforcement, rule: ShearRule, demand: ShearDemand) -> tuple[int, float]:
+    """Return what puts a place before others: how it ends, then its share of what is allowed.
+
+    That is of what needs no links, or of links that are needed and given; inf where none help.
+    """
+    share = demand.used
+    if share > 1 and not _links_help(steel, rule, demand):
+        share = np.inf
+    elif share > 1 and demand.links is not None:
+        share = max(limit.used for limit in _limits(steel, rule, demand))
+    return severity(_status(steel, rule, demand)), share
 
 
 def _limits(steel: Reinforcement, rule: ShearRule, demand: ShearDemand) -> Iterator[LinkLimit]:
@@ -237,41 +260,52 @@ def _worst(
     rule: ShearRule,
     links: ShearLinks | None = None,
 ) -> Iterator[ShearDemand]:
-    """Yield the place that counts with the largest share of what needs no links, if any counts.
+    """Yield the places that count one of which ends worst of all, if any counts.
 
-    Of places where links stand, and that need them, the one with the largest force over its depth; before these, one
-    that is too thin for links.
+    These are, of each depth, the one with the largest share of what needs no links, and of those that need links the
+    one with the largest force over its depth, by which struts and areas of links are judged, and the one with the
+    least depth, by which distances of links are.
     """
     v, rho, along = read_demand(results, plate, places)
     without_links = rule.resistance(steel, results.limit_state, places.d, rho)
     counts = places.counts & ~near_forces(results, places.xy, places.d)
-    if counts.any():
-        used = v / without_links
-        if links is not None and (used[counts] > 1).any():
-            thin = np.where(places.thickness < rule.least_thickness, np.inf, 1.0)
-            used = np.where(used > 1, thin * v / places.d, 0.0)
-        k = int(np.argmax(np.where(counts, used, -1.0)))
-        sizes = float(v[k]), float(without_links[k]), float(places.d[k]), float(places.thickness[k])
-        spread = plate is not results.plate
-        error = partial(_error, results, places.of(counts), without_links, k, spread=spread)
-        yield ShearDemand(
-            results, place_of(places.xy, k), *sizes, spread=spread, rho=float(rho[k]), along=along(k), error=error,
-            links=links,
-        )  # fmt: skip
+    used, spread = v / without_links, plate is not results.plate
+    for alike in _alike(places, counts, rule.least_thickness):
+        most = {int(np.argmax(np.where(alike, used, -1.0))): without_links}
+        needing = alike & (used > 1)
+        if needing.any():
+            for values in (v / places.d, 1 / places.d):
+                most.setdefault(int(np.argmax(np.where(needing, values, -1.0))), places.d)
+        for k, per in most.items():
+            sizes = float(v[k]), float(without_links[k]), float(places.d[k]), float(places.thickness[k])
+            error = partial(_error, results, places.of(alike), per, k, spread=spread)
+            yield ShearDemand(
+                results, place_of(places.xy, k), *sizes, spread=spread, rho=float(rho[k]), along=along(k), error=error,
+                links=links,
+            )  # fmt: skip
 
 
-def _error(results: CombinationResult, places: Places, without_links: Array, k: int, *, spread: bool) -> float | None:
-    """Return the error of the shear force at the place k with the largest share of what needs no links (k,) [N/m].
+def _alike(places: Places, counts: Flags, least: float) -> Iterator[Flags]:
+    """Yield those of the places that count (k,) which have about the same depth, too thin for links apart."""
+    classes = np.column_stack([np.round(np.log(places.d) / ALIKE), places.thickness < least])
+    _, kind = np.unique(classes, axis=0, return_inverse=True)
+    kind = kind.reshape(-1)
+    for number in np.unique(kind[counts]).tolist():
+        yield counts & (kind == number)
 
-    What needs no links is that of the finer mesh.
+
+def _error(results: CombinationResult, places: Places, per: Array, k: int, *, spread: bool) -> float | None:
+    """Return the error of the shear force at the place k with the largest force over something (k,) [N/m].
+
+    That is what needs no links, of the finer mesh, or the depth.
     """
     at = places.counts
     error = error_of_greatest(
         results,
-        lambda mesh: (read_demand(mesh, _plate(mesh, spread=spread), places)[0] / without_links)[at],
+        lambda mesh: (read_demand(mesh, _plate(mesh, spread=spread), places)[0] / per)[at],
         lambda: places.mean(reduction_of(results, "shear_x"))[at],
     )
-    return scaled(error, float(without_links[k]))
+    return scaled(error, float(per[k]))
 
 
 def _plate(results: CombinationResult, *, spread: bool) -> PlateResult:

@@ -73,6 +73,7 @@ EN1992 = DesignCode(
         extremes=(("v_Ed", "MPa"), ("v_Ed / v_Rd", ""), ("v_Ed at the face", "MPa")),
         with_errors=("V_Ed", "v_Ed", "v_Ed / v_Rd", "v_Ed at the face"),
         links=links.links,
+        bars_for_links=punching.bars_for_links,
     ),
     beams=BeamRule(
         minimum=beams.minimum,

@@ -13,7 +13,7 @@ from groundslab.design.bars.required_bars import bar_fields
 from groundslab.design.rules.combinations import ultimate_results
 from groundslab.messages import Message, Name, capitalized, joined, words_in
 from groundslab.results.results import results_of
-from groundslab.views.plots import beams
+from groundslab.views.plots import beams, strips
 from groundslab.views.plots.annotations import said_of
 from groundslab.views.plots.export import to_inline_svg
 from groundslab.views.plots.ground.soil import draw_columns, soil_columns
@@ -113,8 +113,15 @@ def draw_stress(results: CombinationResult) -> Drawing | None:
 
 
 def draw_beams(combined: Results) -> Iterator[Drawing]:
+    """Yield moments and shear forces along the beams, then moments and bars along design strips, some together."""
+    if combined.results:
+        yield from _draw_members(combined)
+        yield from _draw_strips(combined)
+
+
+def _draw_members(combined: Results) -> Iterator[Drawing]:
     """Yield moments and shear forces along the beams, some beams together."""
-    if not ((combined.model.members or combined.model.output.beams) and combined.results):
+    if not (combined.model.members or combined.model.output.beams):
         return
     request = parse_request(combined, (), "beams", None, None, None)
     for number, part in enumerate(beams.batches(beams.curves_along(request)), 1):
@@ -155,6 +162,19 @@ def draw_pictures(combined: Results) -> Iterator[Drawing]:
     panels, captions = [panel for panel, _ in shown], [words_in(caption, units) for _, caption in shown]
     maps = draw_maps(combined.solved_model, panels, shared_scales(panels), captions)
     yield from map(Drawing, maps, captions)
+
+
+def _draw_strips(combined: Results) -> Iterator[Drawing]:
+    """Yield mean moments and bars along the design strips of plates, some strips together."""
+    for number, part in enumerate(beams.batches(strips.curves_of_strips(combined)), 1):
+        template = (
+            "Along the strips {names}: mean moment m, and bars A_s along the strip that its mean design moments need, "
+            "those at the bottom positive, downwards, over the ultimate combinations."
+        )
+        caption = Message(template, names=joined(curves.name for curves in part))
+        draw = partial(strips.draw_strips, combined.model, part)
+        units, translate = combined.model.units, translator_of(combined)
+        yield Drawing(to_inline_svg(draw, f"strips{number}", caption, units=units, translate=translate), caption)
 
 
 def _governing_panels(combined: Results) -> Iterator[tuple[Panel, str]]:

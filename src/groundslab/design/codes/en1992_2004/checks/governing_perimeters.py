@@ -371,8 +371,36 @@ def _demand(results: CombinationResult, site: _Site, face: ControlPerimeter | st
     about = site.punching.name, results.combination, results.limit_state, force, site.d
     return Demand(
         *about, v_Rd_c, at_face, stresses, ratio=ratio, bars=site.bars, pulls=site.punching.pulls,
-        place=site.punching.place,
+        place=site.punching.place, thickness=site.punching.thickness(results),
+        changed=partial(_changed, results, site),
     )  # fmt: skip
+
+
+@dataclass(frozen=True)
+class _InThickerSlab(PunchingForce):
+    """A column or pile where the slab is thicker."""
+
+    thicker: float = 0.0  # [m]
+
+    def thickness(self, results: CombinationResult) -> float:
+        """Return the thickness of the plate that it punches [m]."""
+        return super().thickness(results) + self.thicker
+
+
+def _changed(results: CombinationResult, site: _Site, thicker: float, wider: float) -> Demand | None:
+    """Return the demand of a column or pile where the slab is thicker and it is wider [m]; None where there is none."""
+    punching = site.punching
+    if punching.at_zone:
+        return None
+    sides = {
+        name: value + wider
+        for name in ("width_x", "width_y", "diameter")
+        if (value := getattr(punching.column, name)) is not None
+    }
+    column = punching.column.model_copy(update=sides)
+    other = _InThickerSlab(column, punching.by_case, punching.support, punching.pulls, thicker)
+    (demand,), _ = _largest([results], _site(results, other, site.steel, () if site.zone is None else (site.zone,)))
+    return demand if demand.around else None
 
 
 def _with_perimeter(demand: Demand, results: CombinationResult, site: _Site, control: ControlPerimeter) -> Demand:

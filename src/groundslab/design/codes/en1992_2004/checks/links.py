@@ -26,8 +26,10 @@ from groundslab.design.codes.en1992_2004 import punching as en1992
 from groundslab.design.codes.en1992_2004.checks.punching import (
     CROSSED,
     LEAST_ROWS,
+    beyond_links,
     limited_with_links,
     links_that_count,
+    with_remedy,
 )
 from groundslab.design.codes.en1992_2004.checks.punching_demand import (
     FARTHEST,
@@ -218,14 +220,22 @@ def _refused(steel: Reinforcement, found: list[Demand], thickness: float, *, at_
         most = en1992.max_resistance(concrete)
         face = demand.face
         if most is not None and face is not None and face.v_Ed > most and not face.supported:
-            return Message(
+            why: str = Message(
                 "links do not help: v_Ed is {v_Ed:.3g} v_Rd,max at the face (6.4.5(3))", v_Ed=face.v_Ed / most
             )
+            return _with_remedy(steel, found, why, at_face=at_face)
         for _, stress, limit, _ in limited_with_links(demand, concrete.annex, at_face=at_face):
             if stress.v_Ed > limit and not stress.supported:
                 k_max = concrete.annex.k_max
-                return Message("links do not suffice: v_Ed is more than {k_max:g} v_Rd,c (6.4.5(1))", k_max=k_max)
+                why = Message("links do not suffice: v_Ed is more than {k_max:g} v_Rd,c (6.4.5(1))", k_max=k_max)
+                return _with_remedy(steel, found, why, at_face=at_face)
     return "the slab is thinner than 200 mm, too thin for links (9.3.2(1))" if thickness < LEAST_THICKNESS else ""
+
+
+def _with_remedy(steel: Reinforcement, found: list[Demand], why: str, *, at_face: bool) -> str:
+    """Return why links do not suffice for demands, and what helps the worst of them."""
+    worst = max(found, key=partial(beyond_links, steel, at_face=at_face))
+    return with_remedy(why, steel, worst, at_face=at_face)
 
 
 def _too_far(required: _Required, d: float) -> str:

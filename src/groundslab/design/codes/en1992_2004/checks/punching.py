@@ -12,18 +12,22 @@ from groundslab.design.codes.en1992_2004 import punching as en1992
 from groundslab.design.codes.en1992_2004.annex import Annex
 from groundslab.design.codes.en1992_2004.checks.punching_demand import (
     LAST_LINKS,
+    REACH,
     TOO_FAR,
     Demand,
     Stress,
     outer,
 )
 from groundslab.design.codes.en1992_2004.materials_of_case import materials
+from groundslab.design.codes.en1992_2004.punching_remedies import in_words, least_change, ratio_for_links
 from groundslab.design.rules.check import DesignCheck, Status
 from groundslab.design.rules.demand_errors import error_of_ratio, scaled
+from groundslab.design.rules.design_code import TensionBars
 from groundslab.design.rules.punching import CALLED, Aspect, Demands
 from groundslab.design.rules.punching_beta import WAYS
 from groundslab.design.rules.punching_links.demand import Support
-from groundslab.messages import Clause, Message, Name
+from groundslab.messages import Clause, Message, Name, joined
+from groundslab.model.design.laid_bars import BESIDE
 from groundslab.model.design.reinforcement import Reinforcement
 
 #: What the checks around are called, and those at faces.
@@ -112,7 +116,7 @@ def aspects(support: Support, demands: Demands[Demand], steel: Reinforcement) ->
             for demand in of_support
             if demand.face is not None
         ]
-        yield Aspect(AT_FACES[support], at_face, _share, partial(_at_face, support), says_missing=False)
+        yield Aspect(AT_FACES[support], at_face, _share, partial(_at_face, steel, support), says_missing=False)
     around = [judged for demand in of_support for judged in all_judged(demand, steel)]
     yield Aspect(WITHIN_2D[support], around, _share, partial(_within_2d, steel, support))
 
@@ -148,9 +152,12 @@ def used(demand: Demand, steel: Reinforcement) -> float:
     return worst.share if worst is not None else 0.0
 
 
-def _at_face(support: Support, stresses: list[Judged]) -> DesignCheck:
+def _at_face(steel: Reinforcement, support: Support, stresses: list[Judged]) -> DesignCheck:
     """Return whether punching exceeds v_Rd,max at any face."""
-    return _punching(AT_FACES[support], support, "v_Rd,max", stresses, "fails", "6.4.5(3)")
+    check = _punching(AT_FACES[support], support, "v_Rd,max", stresses, "fails", "6.4.5(3)")
+    if check.status != "fails":
+        return check
+    return replace(check, words=with_remedy(check.words, steel, max(stresses, key=_share).demand, at_face=True))
 
 
 def _within_2d(steel: Reinforcement, support: Support, there: list[Judged]) -> DesignCheck:
@@ -175,9 +182,12 @@ def _within_2d(steel: Reinforcement, support: Support, there: list[Judged]) -> D
         with_links = _punching(name, support, limit, most, "fails", "6.4.5(1)")
         if with_links.status == "fails":
             beyond = {stressed.name for stressed in most if stressed.share > 1}
-            return replace(
-                with_links, words=with_links.words + _more({stressed.name for stressed in needing} - beyond, support)
+            failing, more = (
+                max(most, key=_share).demand,
+                _more({stressed.name for stressed in needing} - beyond, support),
             )
+            words = with_remedy(with_links.words, steel, failing, at_face=support in AT_FACES)
+            return replace(with_links, words=words + more)
         if with_links.hangs:
             low, high = with_links.between or (0.0, 0.0)
             words = Message(
@@ -218,6 +228,72 @@ def limited_with_links(demand: Demand, annex: Annex, *, at_face: bool) -> list[J
     """
     stresses = demand.around[-1:] if annex.face and at_face else demand.around
     return [Judged(demand, stress, annex.k_max * demand.resistance(stress)) for stress in stresses]
+
+
+def beyond_links(steel: Reinforcement, demand: Demand, *, at_face: bool) -> float:
+    """Return the largest stress of a demand over the most that links can help against, on perimeters that count."""
+    around = _beyond_around(steel, demand, at_face=at_face)
+    return max(around, _beyond_face(steel, demand)) if at_face else around
+
+
+def _beyond_face(steel: Reinforcement, demand: Demand) -> float:
+    """Return the stress at the face over v_Rd,max; 0 without a face, or a limit there."""
+    most = en1992.max_resistance(materials(steel, demand.limit_state)[0])
+    known = most is not None and demand.face is not None and not demand.face.supported
+    return demand.face.v_Ed / most if known and demand.face is not None and most is not None else 0.0
+
+
+def bars_for_links(steel: Reinforcement, support: Support, demands: Demands[Demand]) -> Iterator[TensionBars]:
+    """Yield the bars with which links suffice at columns and piles where they do not yet, if no more than count do."""
+    if support not in AT_FACES or not steel.laid:
+        return
+    for name in dict.fromkeys(name for _, name in demands.found):
+        of_name = [demand for (_, of), demand in demands.found.items() if of == name]
+        if any(_beyond_face(steel, demand) > 1 for demand in of_name):
+            continue
+        beyond = [(demand, share) for demand in of_name if (share := _beyond_around(steel, demand, at_face=True)) > 1]
+        ratios = [(_ratio_for_links(steel, demand, share), demand) for demand, share in beyond]
+        areas = [(ratio * demand.d, demand) for ratio, demand in ratios if ratio is not None]
+        if areas and len(areas) == len(ratios):
+            area, demand = max(areas, key=lambda each: each[0])
+            yield TensionBars(name, "top" if demand.pulls != (support == "pile") else "bottom", area, BESIDE * demand.d)
+
+
+def _beyond_around(steel: Reinforcement, demand: Demand, *, at_face: bool) -> float:
+    """Return the largest stress of a demand over k_max v_Rd on perimeters that count."""
+    concrete = materials(steel, demand.limit_state)[0]
+    limited = limited_with_links(demand, concrete.annex, at_face=at_face)
+    return max((each.share for each in limited if not each.supported), default=0.0)
+
+
+def _ratio_for_links(steel: Reinforcement, demand: Demand, beyond: float) -> float | None:
+    """Return the ratio of bars with which v_Rd,c is so many times larger, None if more than those that count."""
+    return ratio_for_links(*materials(steel, demand.limit_state), demand.d, demand.v_Rd_c * beyond)
+
+
+def with_remedy(words: str, steel: Reinforcement, demand: Demand, *, at_face: bool) -> str:
+    """Return words on links that do not suffice for a demand, and what helps, if anything is known."""
+    helps = _remedy(steel, demand, at_face=at_face)
+    return joined((words, helps), "; ") if helps else words
+
+
+def _remedy(steel: Reinforcement, demand: Demand, *, at_face: bool) -> str:
+    """Return in words what helps where links do not suffice for a demand: bars, or a thickness and a loaded area.
+
+    Bars do not help at the face, where struts fail, nor where as many as count are taken for granted.
+    """
+    beyond = partial(beyond_links, steel, at_face=at_face)
+    around = _beyond_around(steel, demand, at_face=at_face)
+    ratio = _ratio_for_links(steel, demand, around) if steel.laid and around >= beyond(demand) else None
+    if ratio is not None:
+        return Message(
+            "bars in tension of {ratio:.2g} % of the section along both axes, within 3 d beside it, would do",
+            ratio=100 * ratio,
+        )
+    thicker = least_change(lambda more: demand.changed(more, 0.0), beyond)
+    wider = least_change(lambda more: demand.changed(0.0, more), beyond)
+    control = wider.around[0].control if wider is not None else None
+    return in_words(None if thicker is None else thicker.thickness, None if control is None else control.widths, REACH)
 
 
 def _without_bars(steel: Reinforcement, check: DesignCheck, there: list[Judged]) -> DesignCheck:

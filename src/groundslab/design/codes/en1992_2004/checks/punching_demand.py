@@ -102,6 +102,10 @@ class Demand:
     pulls: bool = False  # whether a column pulls up, or a pile down
     place: tuple[float, float] = (0.0, 0.0)  # [m]
     wall: WallSite | None = field(default=None, repr=False, compare=False)  # of an end or a corner of walls
+    thickness: float = 0.0  # of the slab there [m]
+    changed: Callable[[float, float], Demand | None] = field(
+        default=lambda *_: None, repr=False, compare=False
+    )  # the same where the slab is thicker, and a column or pile wider, by so much [m]; None where that is not known
 
     @property
     def sketch(self) -> SketchedPerimeter | None:

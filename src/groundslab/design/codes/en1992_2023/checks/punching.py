@@ -10,7 +10,7 @@ from typing import NamedTuple
 from groundslab.design.codes.en1992_2023 import punching as en1992
 from groundslab.design.codes.en1992_2023.checks.punching_demand import Punching
 from groundslab.design.codes.en1992_2023.materials_of_case import materials
-from groundslab.design.rules.check import DesignCheck, Status
+from groundslab.design.rules.check import DesignCheck, Status, severity
 from groundslab.design.rules.demand_errors import error_of_ratio, scaled
 from groundslab.design.rules.punching import PUNCHING, Aspect, Demands
 from groundslab.design.rules.punching_beta import WAYS
@@ -121,10 +121,10 @@ def links(_: Results, __: Reinforcement, support: Support, demands: Demands[Punc
 
 
 def _worst(judged: list[Punching], steel: Reinforcement, name: str) -> DesignCheck:
-    """Return the check of the one that links cannot help most, else of the one that uses most without links."""
+    """Return the check of the one that links cannot help most, else of the one that ends worst and uses most."""
     share = partial(as_laid, steel=steel)
     failing = [demand for demand in judged if share(demand) > 1 and _beyond_links(demand, steel) > 1]
-    demand = max(failing or judged, key=share)
+    demand = max(failing or judged, key=lambda each: (severity(_status(each, steel)), share(each)))
     if share(demand) != demand.used:
         return _with_laid(demand, steel, name)
     beside = [each for each in judged if each.combination == demand.combination]
@@ -153,23 +153,29 @@ def _worst(judged: list[Punching], steel: Reinforcement, name: str) -> DesignChe
     )
     if demand.concentrated:
         words += "; tau_Ed is not less than by the shear forces of the analysis, as a large force is near (8.4.2(8))"
-    status: Status = "no failure found"
-    if demand.used > 1:
-        status, more = _with_links(demand, steel)
-        words += more
-    elif not steel.laid and demand.tau_Ed > demand.tau_min:
+    status = _status(demand, steel)
+    if status == "fails":
+        words += _with_links(demand, steel)
+    elif status == "attention":
         ratio = en1992.MOST_BARS * max(demand.tau_Ed / demand.tau_Rd_c, 0.0) ** 3
         words = Message(
             "needs bars in tension of {ratio:.2g} % of the section, and none are provided: {text}",
             ratio=100 * ratio,
             text=words,
         )
-        status = "attention"
     return DesignCheck(
         name, status, words, of=demand.name, demand=max(demand.tau_Ed, 0.0) / 1e6, resistance=demand.resistance / 1e6,
         unit="MPa", clause="EN 1992-1-1:2023 8.4.1, 8.4.3, 8.4.4", combination=demand.combination, place=demand.place,
         error=scaled(error, demand.resistance / 1e6),
     )  # fmt: skip
+
+
+def _status(demand: Punching, steel: Reinforcement) -> Status:
+    """Return how a demand ends: distances of links are not known here, and bars in tension may not be laid."""
+    if as_laid(demand, steel) > 1:
+        return "fails"
+    asks_for_bars = not steel.laid and demand.tau_Ed > demand.tau_min
+    return "attention" if demand.used > 1 or asks_for_bars else "no failure found"
 
 
 def _with_laid(demand: Punching, steel: Reinforcement, name: str) -> DesignCheck:
@@ -211,11 +217,11 @@ def _beyond_links(demand: Punching, steel: Reinforcement) -> float:
     return links.tau_Ed / links.tau_max
 
 
-def _with_links(demand: Punching, steel: Reinforcement) -> tuple[Status, str]:
-    """Return the status of a demand that needs links, and which, in words."""
+def _with_links(demand: Punching, steel: Reinforcement) -> str:
+    """Return the links that a demand needs, in words."""
     beyond = _beyond_links(demand, steel)
     if math.isinf(beyond):
-        return "fails", "; the slab is too thin for links (12.4.2(2))"
+        return "; the slab is too thin for links (12.4.2(2))"
     links = links_needed(demand, steel, outermost_depth(demand, steel))
     most = Message(
         "{tau_Ed:.3g MPa} with links is {beyond:.3g} times tau_Rd,max {tau_max:.3g MPa}",
@@ -224,14 +230,12 @@ def _with_links(demand: Punching, steel: Reinforcement) -> tuple[Status, str]:
         tau_max=links.tau_max / 1e6,
     )
     if beyond > 1:
-        return "fails", Message("; links do not suffice: {most} (8.4.4(5))", most=most)
-    return "fails", (
-        Message(
-            "; links of {rho_w:.3g cm2/m2} around it are needed, of {phi_w:.3g mm} or thinner (8.104), "
-            "{most}, out to b_0.5,out {b_out:.2f m} (8.112); their spacing (12.5.1) is not checked",
-            rho_w=links.rho_w * 1e4,
-            phi_w=1e3 * links.phi_w,
-            most=most,
-            b_out=links.b_out,
-        )
+        return Message("; links do not suffice: {most} (8.4.4(5))", most=most)
+    return Message(
+        "; links of {rho_w:.3g cm2/m2} around it are needed, of {phi_w:.3g mm} or thinner (8.104), "
+        "{most}, out to b_0.5,out {b_out:.2f m} (8.112); their spacing (12.5.1) is not checked",
+        rho_w=links.rho_w * 1e4,
+        phi_w=1e3 * links.phi_w,
+        most=most,
+        b_out=links.b_out,
     )

@@ -1,0 +1,107 @@
+"""What helps where links do not suffice against punching: more bars, a thicker slab or a larger column."""
+
+from __future__ import annotations
+
+import math
+import re
+from dataclasses import replace
+from typing import Any
+
+import pytest
+
+import groundslab as gs
+from groundslab.design.bars.proposal.links import NeedsOfLinks
+from groundslab.design.checks import DesignCheck, check_design
+from groundslab.model.model import Model
+from groundslab.results.results import Results
+from helpers.solve_once import solve_once
+
+WITHIN = "punching within 2 d"
+
+
+def checks(results: Results) -> dict[str, DesignCheck]:
+    """Return the checks by their names."""
+    return {check.name: check for check in check_design(results).checks}
+
+
+def pad(P: float) -> Model:
+    """Return a stiff pad of 3 m by 3 m by 0.5 m on springs under a column of 0.3 m."""
+    bars = {"diameter": 0.02, "spacing": 0.1}
+    steel: dict[str, Any] = {
+        "f_ck": 25e6, "f_yk": 500e6, "bottom": (0.06, 0.08), "top": (0.06, 0.08),
+        **dict.fromkeys(("bottom_x", "bottom_y", "top_x", "top_y"), bars),
+    }  # fmt: skip
+    return Model(
+        plate={"length_x": 3, "length_y": 3, "thickness": 0.5, "E": 31e9, "nu": 0.2},
+        ground={"kind": "winkler", "k": 40e6},
+        columns=[{"name": "C", "x": 0, "y": 0, "width_x": 0.3, "width_y": 0.3}],
+        cases=[{"name": "G"}],
+        loads=[{"kind": "point", "case": "G", "column": "C", "P": P}],
+        combinations=[{"name": "U", "factors": {"G": 1.35}}],
+        reinforcement=steel,
+        mesh={"counts": (8, 8)},
+    )
+
+
+def test_struts_at_the_face_ask_for_thickness_or_a_larger_column() -> None:
+    """v_Ed = V (1 - c^2 / 9) / (4 c d) against v_Rd,max = 0.4 x 0.54 x 25 / 1.5 = 3.6 MPa, V = 1.35 x 2.3 MN.
+
+    With c = 0.3 m and d = h - 0.07 m, 0.75 m have 3.77 MPa and 0.80 m 3.51 MPa; with h = 0.5 m a column of 0.45 m has
+    3.92 MPa, one of 0.5 m 3.51 MPa.
+    """
+
+    def v_Ed(c: float, h: float) -> float:
+        return 1.35 * 2.3 * (1 - c**2 / 9) / (4 * c * (h - 0.07))
+
+    assert v_Ed(0.3, 0.75) > 3.6 > v_Ed(0.3, 0.80)
+    assert v_Ed(0.45, 0.5) > 3.6 > v_Ed(0.5, 0.5)
+    results = solve_once(pad(2300e3))
+    face = checks(results)["punching at the column's face"]
+    said = "a slab of 0.80 m as far as 2 d around it would do, or a loaded area of 0.50 x 0.50 m"
+    assert face.status == "fails"
+    assert said in str(face.words)
+    (links,) = gs.punching_links(results)
+    assert said in str(links.why)
+
+
+def test_no_remedy_is_told_where_links_suffice() -> None:
+    """Nor where none are needed."""
+    assert "would do" not in str(checks(solve_once(pad(500e3)))["punching at the column's face"].words)
+
+
+def raft(P: float) -> Model:
+    """Return a thick slab of strong concrete, which bends little under its column."""
+    return Model(
+        plate={"length_x": 6, "length_y": 6, "thickness": 0.6, "E": 34e9, "nu": 0.2},
+        ground={"kind": "winkler", "k": 60e6},
+        columns=[{"name": "A", "x": 0, "y": 0, "width_x": 0.5, "width_y": 0.5}],
+        cases=[{"name": "G"}],
+        loads=[{"kind": "point", "P": P, "column": "A", "case": "G"}],
+        combinations=[{"name": "U", "factors": {"G": 1.35}}],
+        reinforcement={"concrete": "C35/45", "steel": "B500B", "bottom": (0.05, 0.07), "top": (0.05, 0.07)},
+        mesh={"size": 0.5},
+    )
+
+
+@pytest.mark.slow
+def test_bars_that_links_ask_for_are_proposed(monkeypatch: pytest.MonkeyPatch) -> None:
+    """v_Rd,c grows with the third root of rho_l: with the bars that are said links suffice, which they do not else."""
+    results = solve_once(raft(3850e3))
+    proposal = gs.propose_bars(results)
+    with monkeypatch.context() as without:
+        nothing = NeedsOfLinks({}, ())
+        without.setattr("groundslab.design.bars.proposal.propose.needs_of_links", lambda _: nothing)
+        fewer = gs.propose_bars(results)
+    before, after = (replace(results, model=each.model) for each in (fewer, proposal))
+    failing = checks(before)[WITHIN]
+    assert failing.status == "fails"
+    (said,) = re.findall(r"bars in tension of ([0-9.]+) %", str(failing.words))
+    assert failing.demand is not None
+    # 1.5 v_Rd,c = 1.5 x 0.18 / 1.5 k (100 rho_l 35)^(1/3) at 2 d, d = 0.54 m
+    k = 1 + math.sqrt(0.2 / 0.54)
+    assert "at 2 d" in str(failing.words)
+    assert float(said) == pytest.approx((failing.demand / (0.18 * k)) ** 3 / 35, rel=0.01)
+    assert checks(after)[WITHIN].status == "no failure found"
+    assert any("so that links suffice" in str(remark) for remark in proposal.remarks)
+    assert fewer.laid["bottom_x"] < proposal.laid["bottom_x"]
+    assert fewer.laid["top_x"] == proposal.laid["top_x"]
