@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import gc
+import os
 import signal
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Generator, Iterator
 from contextlib import suppress
 from pathlib import Path
 from typing import Any
@@ -18,6 +19,8 @@ from groundslab.solvers import factorization
 LENGTHY = Path(__file__).with_name("lengthy.txt")
 #: Test functions that take longer are recorded [s].
 QUICK = 0.2
+#: How long this process and those that it has ended had computed when the last step of a test ended [s].
+COMPUTED = pytest.StashKey[float]()
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
@@ -43,13 +46,23 @@ def pytest_collection_finish() -> None:
     gc.set_threshold(100_000, 50, 100)
 
 
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_makereport(item: pytest.Item) -> Generator[None, pytest.TestReport, pytest.TestReport]:
+    """Add to a report how long was computed, which does not depend on what else the machine does as much."""
+    report = yield
+    computed = sum(os.times()[:4])
+    report.computed = computed - item.session.stash.get(COMPUTED, computed)
+    item.session.stash[COMPUTED] = computed
+    return report
+
+
 def pytest_terminal_summary(terminalreporter: Any, config: pytest.Config) -> None:
-    """Write how long test functions took with all of their parameters, the longest first."""
+    """Write how long test functions computed with all of their parameters, the longest first."""
     if path := config.getoption("--record"):
         seconds = Counter[str]()
         for report in (report for reports in terminalreporter.stats.values() for report in reports):
-            if hasattr(report, "duration"):
-                seconds[_function(report.nodeid)] += report.duration
+            if hasattr(report, "computed"):
+                seconds[_function(report.nodeid)] += report.computed
         path.parent.mkdir(parents=True, exist_ok=True)
         lines = (f"{taken:7.2f} {name}\n" for name, taken in seconds.most_common() if taken > QUICK)
         path.write_text("".join(lines), encoding="utf-8")

@@ -34,7 +34,7 @@ def test_examples_are_solved(path: Path) -> None:
     """Every combination of every example has a certified result, and no design of them fails."""
     model = load(path)
     if path.stem in ON_LARGE_ELEMENTS:
-        model = model.replace(mesh={"size": max(model.sides) / 12})
+        model = model.replace(mesh={"size": max(model.sides) / 8})
     results = solve(model)
     assert not results.refused
     assert all(each.certificate.holds for each in results.results.values())

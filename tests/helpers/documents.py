@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from functools import cache
 from typing import Any
 
 import pytest
@@ -21,7 +22,13 @@ def closed(schema: Any) -> Any:
 
 def validate(document: dict[str, Any], name: str) -> None:
     """Fail if a document does not have a shape, or has a key that the shape does not name."""
+    _validator(name).validate(document)
+
+
+@cache
+def _validator(name: str) -> Any:
+    """Return what validates by a shape, which is one."""
     jsonschema = pytest.importorskip("jsonschema")  # it takes seconds to load
     schema = json.loads((DOCS / "interface" / f"{name}.schema.json").read_text(encoding="utf-8"))
     jsonschema.Draft202012Validator.check_schema(schema)
-    jsonschema.validate(document, closed(schema))
+    return jsonschema.Draft202012Validator(closed(schema))

@@ -10,14 +10,16 @@ from groundslab.model.model import Model
 from groundslab.model.outputs import Report
 from groundslab.results.results import Results
 
-#: So many slabs are kept.
+#: So many slabs, and models of them, are kept.
 KEPT = 12
 
 
+@lru_cache(KEPT)
 def solve_once(model: Model) -> Results:
     """Return the results of a model; those of the same slab with another reinforcement or report are taken over.
 
-    Neither changes a force, as long as cracks do not soften the plate.
+    Neither changes a force, as long as cracks do not soften the plate. For the same model they are the same results,
+    whose checks are made once.
     """
     if model.cracking is not None:
         return solve(model)

@@ -168,7 +168,7 @@ def is_true(refusal: NoEquilibrium, problem: Problem) -> None:
         assert "cannot be balanced" in said
 
 
-@settings(FUZZ, max_examples=40)
+@settings(FUZZ, max_examples=examples(25))
 @given(rich_models())
 def test_supports_and_combinations_end_in_certified_results_or_true_refusals(model):
     """With supports, limits, cavities and every kind of load, each combination is solved, or rightly refused."""

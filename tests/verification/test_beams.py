@@ -476,8 +476,8 @@ def _punching_at_column(beams: list[list[tuple[float, float]]], distance: float)
 
 
 def test_an_arc_is_a_polygon_with_many_corners() -> None:
-    """Half a circle as two arcs and as sixty straight pieces, whose section forces turn a little at each corner."""
-    angles = np.linspace(0.0, np.pi, 61)
+    """Half a circle as two arcs and as thirty straight pieces, whose section forces turn a little at each corner."""
+    angles = np.linspace(0.0, np.pi, 31)
     bulge = math.tan(math.pi / 8)
     axes: list[dict[str, Any]] = [
         {"points": [(3.0, 0.0), (0.0, 3.0), (-3.0, 0.0)], "bulges": [bulge, bulge]},

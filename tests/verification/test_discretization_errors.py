@@ -24,7 +24,6 @@ from groundslab.results.recovery import own_forces, recover_fields
 from groundslab.results.results import CombinationResult
 from groundslab.solvers import factorization
 from groundslab.solvers.solution import Solution
-from groundslab.verification import runner
 
 SIDES = (12.0, 8.0)
 PATCH = {"kind": "patch", "x": (-1.0, 2.0), "y": (-1.0, 1.0), "q": 1e5}
@@ -95,7 +94,7 @@ def true_energy_error(coarse: Solution, fine: Solution, forces: Array) -> float:
 def test_energy(case: str) -> None:
     """The estimated error in the energy norm is 0.7 to 1.5 times the true one, on grids and on meshes that are none."""
     given = (CASES | UNSTRUCTURED)[case]
-    model, reference = slab(8, **given), slab(24, **given)
+    model, reference = slab(4, **given), slab(12, **given)
     coarse, fine = solution_of(model), solution_of(reference)
     frame = make_result_mesh(model, coarse.system.problem)
     estimate = np.sqrt(energy_errors(model, coarse, recover_fields(coarse, frame)).sum())
@@ -130,34 +129,6 @@ def test_values(case: str) -> None:
         true = abs(value - reference[name])
         if true > 0.03 * abs(value):
             assert estimate_error(value, coarser[name], results.comparison) > true / 2, name
-
-
-#: Where only the plan's mesh is off: the layers of a stack have errors of their own.
-EXACT_CASES = (
-    "circular_plates", "curling_slab", "edge_decay", "lifting_circle", "part_loaded_circles", "plate_on_a_column",
-    "plate_on_pasternak", "point_load", "rigid_circles_on_continuum", "rigid_rectangles_on_half_space",
-    "ring_loaded_circles", "spring_mat", "varying_ground",
-)  # fmt: skip
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("name", EXACT_CASES)
-def test_errors_of_values_with_exact_answers(name: str) -> None:
-    """No error above 3 in 10,000 is underestimated by more than half; none of these small ones is told as above 1 %."""
-    case = runner.load(name)
-    if not runner.can_run(case):
-        pytest.skip("no mesher")
-    known = 0
-    for row, outcome in zip(case.rows, runner.outcomes_of(case), strict=True):
-        if "exact" not in row or outcome.error is None:
-            continue
-        known += 1
-        exact = runner._exact(row) / runner._unit(row)
-        true = abs(outcome.computed - exact)
-        assert outcome.error < 0.01 * abs(exact), outcome.label
-        if true > 3e-4 * abs(exact):
-            assert outcome.error > 0.5 * true, outcome.label
-    assert known
 
 
 @pytest.mark.parametrize("t", [pytest.param(0.3, marks=pytest.mark.slow), 0.8])

@@ -187,7 +187,7 @@ GROUNDS: dict[str, dict[str, Any]] = {
 @pytest.mark.parametrize("joint", ["hinge", "dowels"])
 def test_one_sided_contact_on_ground_with_shear(kind: str, joint: str) -> None:
     """The ground's surface goes on under slabs that may lift off, and a joint carries less than a stiffer one."""
-    parts: dict[str, Any] = {"ground": GROUNDS[kind], "contact": {"tensionless": True}, "mesh": {"size": 0.25}}
+    parts: dict[str, Any] = {"ground": GROUNDS[kind], "contact": {"tensionless": True}, "mesh": {"size": 0.5}}
     loads = [WEIGHT, line(-1.0)]
     results, stiff, loose = (joined(keys_of(k), loads, **parts) for k in (JOINTS[joint], np.inf, 0.0))
     assert results.certificate.holds
@@ -202,7 +202,7 @@ def test_one_sided_contact_on_ground_with_shear(kind: str, joint: str) -> None:
 def test_a_joint_holds_a_plate_that_would_lift_alone() -> None:
     """Uplift of more than its weight near a hinge does not lift a slab off, as the other one holds it there."""
     uplift = {"kind": "patch", "q": -100e3, "x": (0.0, 0.4), "y": (0.0, 1.0)}
-    parts = {"contact": {"tensionless": True}, "mesh": {"size": 0.25}}
+    parts = {"contact": {"tensionless": True}, "mesh": {"size": 0.5}}
     more = {"kind": "uniform", "q": 10e3, "plate": "A"}
     held = joined({"kind": "hinge"}, [WEIGHT, more, uplift], **parts)
     assert held.certificate.holds
@@ -273,7 +273,7 @@ def test_moments_under_a_force_on_a_hinge() -> None:
 
 def test_play_on_tensionless_ground_with_shear() -> None:
     """With play slabs that may lift off step by more than without, and by no more than where nothing is carried."""
-    parts: dict[str, Any] = {"ground": GROUNDS["pasternak"], "contact": {"tensionless": True}, "mesh": {"size": 0.25}}
+    parts: dict[str, Any] = {"ground": GROUNDS["pasternak"], "contact": {"tensionless": True}, "mesh": {"size": 0.5}}
     loads = [WEIGHT, line(-1.0)]
     joints = (keys_of(1e9), keys_of(1e9) | {"gap": 2e-5}, keys_of(0.0))
     tight, play, loose = (joined(joint, loads, **parts) for joint in joints)
@@ -309,7 +309,7 @@ def test_four_slabs_that_meet_at_a_point() -> None:
                 "ground": GROUNDS["pasternak"],
                 "beyond": {"kind": "infinite"},
                 "loads": [WEIGHT, press],
-                "mesh": {"size": 0.25},
+                "mesh": {"size": 0.5},
             }
         )
     ).only

@@ -40,7 +40,7 @@ def test_beside_an_opening() -> None:
         loads=[{"kind": "point", "P": 1200e3, "column": "A", "case": "g"}],
         combinations=[{"name": "U", "factors": {"g": 1.35}}],
         reinforcement={"concrete": "C30/37", "steel": "B500B", "bottom": (0.05, 0.05), "top": (0.05, 0.05)},
-        mesh={"size": 0.25},
+        mesh={"size": 0.5},
     )  # fmt: skip
     stress = column_demands(gs.solve(model)).found["U", "A"].at_2d
     assert stress is not None

@@ -23,17 +23,20 @@ CHUNK = 256
 
 def lagrange(xi: Array) -> tuple[Array, Array]:
     """Return the three quadratic Lagrange polynomials on (-1, 0, 1) and their derivatives at xi: (..., 3) each."""
-    N = np.stack([xi * (xi - 1) / 2, 1 - xi * xi, xi * (xi + 1) / 2], axis=-1)
-    dN = np.stack([xi - 0.5, -2 * xi, xi + 0.5], axis=-1)
+    N, dN = np.empty((*xi.shape, 3)), np.empty((*xi.shape, 3))
+    N[..., 0], N[..., 1], N[..., 2] = xi * (xi - 1) / 2, 1 - xi * xi, xi * (xi + 1) / 2
+    dN[..., 0], dN[..., 1], dN[..., 2] = xi - 0.5, -2 * xi, xi + 0.5
     return N, dN
 
 
 def q9(points: Array) -> tuple[Array, Array]:
     """Return N (p, 9) and its derivatives dN (p, 2, 9) with respect to (xi, eta) at points (p, 2)."""
     (Nx, dNx), (Ny, dNy) = lagrange(points[:, 0]), lagrange(points[:, 1])
-    N = Nx[:, COLUMN] * Ny[:, ROW]
-    dN = np.stack([dNx[:, COLUMN] * Ny[:, ROW], Nx[:, COLUMN] * dNy[:, ROW]], axis=1)
-    return N, dN
+    Nx, Ny = Nx[:, COLUMN], Ny[:, ROW]
+    dN = np.empty((len(points), 2, 9))
+    np.multiply(dNx[:, COLUMN], Ny, out=dN[:, 0])
+    np.multiply(Nx, dNy[:, ROW], out=dN[:, 1])
+    return Nx * Ny, dN
 
 
 @cache

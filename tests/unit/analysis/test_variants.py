@@ -29,7 +29,7 @@ def model(**changes: Any) -> Model:
         "plate": PLATE,
         "ground": {"kind": "pasternak", "k0": 30e6, "k1": 20e6},
         "loads": LOADS,
-        "mesh": {"counts": (24, 18)},
+        "mesh": {"counts": (12, 9)},
     }
     return Model(**{**given, **changes})
 
@@ -38,9 +38,9 @@ CHANGES: dict[str, dict[str, Any]] = {
     "softer ground": {"ground": {"kind": "pasternak", "k0": 12e6, "k1": 30e6}},
     "thicker plate": {"plate": {**PLATE, "thickness": 0.35}},
     "load elsewhere": {"loads": [{"kind": "patch", "q": 5e5, "x": (-4.0, -2.0), "y": (0.0, 3.0)}]},
-    "another mesh": {"mesh": {"counts": (20, 16)}},
+    "another mesh": {"mesh": {"counts": (10, 8)}},
     "held down": {"contact": {"tensionless": False}},
-    "on a pile": {"supports": [{"kind": "point", "x": 0.0, "y": 0.0, "stiffness": 1e8}], "mesh": {"size": 0.4}},
+    "on a pile": {"supports": [{"kind": "point", "x": 0.0, "y": 0.0, "stiffness": 1e8}], "mesh": {"size": 0.8}},
 }
 
 

@@ -9,7 +9,6 @@ from typing import Any
 import pytest
 from tests.helpers.combinations import few
 from tests.helpers.documents import validate
-from tests.helpers.languages import in_language
 from tests.helpers.paths import EXAMPLES
 
 from groundslab.analysis.driver import solve
@@ -37,26 +36,27 @@ OF_FEW = {
 
 @pytest.fixture(scope="module", params=sorted(path.stem for path in EXAMPLES.glob("*.toml")))
 def solved(request: pytest.FixtureRequest) -> Results:
-    """Return the results of an example on a coarse mesh."""
+    """Return the results of an example on a coarse mesh, reported in German."""
     model = load(EXAMPLES / f"{request.param}.toml")
     model = few(model) if request.param in OF_FEW else model
-    return solve(model.replace(mesh={"size": max(model.sides) / 8}))
+    project = {} if model.project is None else model.project.model_dump()
+    return solve(model.replace(mesh={"size": max(model.sides) / 8}, project={**project, "language": "de"}))
 
 
 @pytest.mark.slow
 def test_reports_leave_no_word_in_english(solved: Results, monkeypatch: pytest.MonkeyPatch) -> None:
     """No text of a report or a table lacks a translation, nor a part of one; all catalogues have the same messages."""
-    results = in_language(solved, "de")
-    known = translation.translator_of(results)
+    known = translation.translator_of(solved)
     assert isinstance(known, Catalogue)
     translate = replace(known, unknown=[])
     monkeypatch.setattr("groundslab.views.report.html.translator_of", lambda _: translate)
     monkeypatch.setattr(translation, "translator_of", lambda _: translate)
     # words of drawings are translated before these are drawn, which takes long and adds none
+    monkeypatch.setattr("matplotlib.figure.Figure.draw_without_rendering", lambda _: None)
     monkeypatch.setattr("matplotlib.figure.Figure.savefig", lambda _, file, **__: file.write(NO_DRAWING))
-    chapters = [name for name in results.model.report.chapters if name != "viewer"]
-    page = render_report(results, chapters=[*chapters, "long_tables"])
-    assert len(list(translation.translated_tables(results))) > 3
+    chapters = [name for name in solved.model.report.chapters if name != "viewer"]
+    page = render_report(solved, chapters=[*chapters, "long_tables"])
+    assert len(list(translation.translated_tables(solved))) > 3
     assert sorted(set(translate.unknown or ())) == []
     assert '<html lang="de">' in page
 

@@ -43,7 +43,7 @@ SI = re.compile(
 def both(request: pytest.FixtureRequest) -> tuple[Results, Results]:
     """Return the results of an example on a coarse mesh, shown in SI and in US customary units."""
     model = few(load(EXAMPLES / f"{request.param}.toml"))
-    solved = solve(model.replace(mesh={"size": max(model.sides) / 12}))
+    solved = solve(model.replace(mesh={"size": max(model.sides) / 8}))
     customary = solved.model.replace(project={"units": "US"})
     as_solved = solved.solved_model.replace(project={"units": "US"})
     results = {
@@ -205,7 +205,7 @@ def test_names_that_look_like_quantities_stay(example: str) -> None:
     factors = re.compile(r"(?<=factors = \{).*(?=\}$)", re.MULTILINE)
     text = factors.sub(lambda found: re.sub(r'"?([\w ]+?)"? =', r'"\1 12.25 m" =', found[0]), text)
     model = few(loads(text).replace(project={"units": "US"}))
-    combined = solve(model.replace(mesh={"size": max(model.sides) / 8}))
+    combined = solve(model.replace(mesh={"size": max(model.sides) / 5}))
     shown = [*printed(combined).splitlines(), render_report(combined, chapters=["extremes", "loads", "tables"])]
     for table in tables_of(combined):
         shown += [str(value) for column in table.columns for value in (column.name, *column.values)] + [*table.notes]

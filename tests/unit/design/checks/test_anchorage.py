@@ -41,7 +41,7 @@ def raft(half: float, **steel: Any) -> Model:
         loads=[{"kind": "point", "case": "G", "column": "A", "P": 900e3}],
         combinations=[{"name": "U", "factors": {"G": 1.35}}],
         reinforcement=EN | {"zones": [zone]} | steel,
-        mesh={"size": 0.1},
+        mesh={"size": 0.2},
     )
 
 

@@ -338,7 +338,7 @@ def test_what_is_turned_stays_as_it_is() -> None:
                 loads=[{"kind": "point", "P": 1e6, "column": "C", "case": "G"}],
                 combinations=[{"name": "ULS", "factors": {"G": 1.35}}],
                 reinforcement={"f_ck": 30e6, "f_yk": 500e6, "bottom": (0.05, 0.05), "top": (0.05, 0.05)},
-                mesh={"size": 0.25},
+                mesh={"size": 0.5},
             )
         )  # fmt: skip
         demands_of.append(zone_demands(solved).found["ULS", "zone 1"].at_2d)

@@ -55,7 +55,7 @@ def solved(*columns: dict[str, Any], steel: dict[str, Any] | None, thickness: fl
             ("low", "ultimate", 1.0), ("high", "ultimate", 1.35), ("lasting", "quasi-permanent", 0.8))],
         reinforcement=STEEL | (steel or {}),
         report={"sheets": wanted},
-        mesh={"size": 0.25},
+        mesh={"size": 0.5},
     )  # fmt: skip
     return solve_once(model)
 

@@ -33,7 +33,7 @@ def pad(strength: dict[str, Any], H_x: float = 60e3, M_x: float = 120e3) -> Resu
             ],
             combinations=[{"name": "ULS", "factors": {"G": 1.0, "wind": 1.5}}],
             soil_strength=strength,
-            mesh={"size": 0.25},
+            mesh={"size": 0.5},
         )
     )
 

@@ -33,7 +33,13 @@ ALONG = {"of": "S", "diameter": 0.012, "legs": 4, "spacing": 0.2}
 
 
 def footing(
-    steel: dict[str, Any] | None = None, *, e: float = 0.0, P: float = 700e3, b: float = B, **strip: Any
+    steel: dict[str, Any] | None = None,
+    *,
+    e: float = 0.0,
+    P: float = 700e3,
+    b: float = B,
+    size: float = 0.5,
+    **strip: Any,
 ) -> Model:
     """Return a footing of 8 m by 1 m by 0.6 m under two columns, whose forces are off its axis by e and -e [m]."""
     return Model(
@@ -50,7 +56,7 @@ def footing(
             "strips": [{"name": "S", "start": (-L / 2, 0), "end": (L / 2, 0), "width": b, "design": "beam"} | strip]
         },
         reinforcement=steel,
-        mesh={"size": 0.25},
+        mesh={"size": size},
     )
 
 
@@ -86,7 +92,7 @@ def test_forces_are_those_of_what_lies_ahead() -> None:
 
 def test_links_by_hand() -> None:
     """V / (z f_ywd cot theta), with V at d from the face of a column; cot theta is 2.5."""
-    model = footing(with_links(LAID, {"spacing": 0.15}), P=1800e3)
+    model = footing(with_links(LAID, {"spacing": 0.15}), P=1800e3, size=0.25)
     own, found = forces(model), checks(model)[LINKS]
     to_face = 1.0 + C / 2 + D  # from the start of the strip, the column being 1 m from it
     V = abs(float(np.interp(to_face, own.way, own.shear)))
@@ -96,7 +102,7 @@ def test_links_by_hand() -> None:
     links = dict(zip(rows["bars"], rows["required links"], strict=True))["links"]
     assert links == pytest.approx(1e4 * needed, rel=0.01)
     assert found.status == "no failure found"
-    few = footing(with_links(LAID, {"diameter": 0.010, "spacing": 0.3}), P=1800e3)
+    few = footing(with_links(LAID, {"diameter": 0.010, "spacing": 0.3}), P=1800e3, size=0.25)
     found = checks(few)[LINKS]
     assert found.demand == pytest.approx(1e4 * needed, rel=0.01)
     assert found.resistance == pytest.approx(1e4 * 4 * math.pi * 0.005**2 / 0.3)

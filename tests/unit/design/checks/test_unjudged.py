@@ -8,10 +8,10 @@ from typing import Any
 
 import pytest
 
-import groundslab as gs
 from groundslab.design.checks import Design, check_design
 from groundslab.design.rules.check import UNJUDGED, Unjudged
 from groundslab.model.model import Model
+from helpers.solve_once import solve_once
 
 STEEL: dict[str, Any] = {"f_ck": "30 MPa", "f_yk": "500 MPa", "bottom": ["40 mm", "60 mm"], "top": ["40 mm", "60 mm"]}
 BARS = {layer: {"diameter": "16 mm", "spacing": "150 mm"} for layer in ("bottom_x", "bottom_y", "top_x", "top_y")}
@@ -40,7 +40,7 @@ def slab(**changes: Any) -> Model:
 
 def made(model: Model) -> Design:
     """Return the checks of a model."""
-    return check_design(gs.solve(model))
+    return check_design(solve_once(model))
 
 
 def plate(*, sides: int) -> dict[str, Any]:

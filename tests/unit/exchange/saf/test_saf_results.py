@@ -74,7 +74,8 @@ def few(model: gs.Model) -> gs.Model:
 @pytest.mark.parametrize("name", sorted({path.stem for path in EXAMPLES.glob("*.toml")} - NOT_COMPARED.keys()))
 def test_results_are_the_same(name: str, tmp_path: Path) -> None:
     """All combinations come back in their order, with settlements and moments of some of them on the same mesh."""
-    model = gs.load(EXAMPLES / f"{name}.toml")
+    # without ground beside the slab, of which more would be tried in vain
+    model = gs.load(EXAMPLES / f"{name}.toml").replace(beyond={"kind": "none"})
     here = gs.Model(**{part: value for part, value in model if part not in SILENT}, mesh=coarse(model))
     there = put_back(model, tmp_path / "slab.xlsx", name)
     sums = [

@@ -278,10 +278,11 @@ def test_links_over_a_pile() -> None:
 
 def test_links_that_would_never_end_are_refused(monkeypatch: pytest.MonkeyPatch) -> None:
     """Where perimeters do not grow outwards, or no section beyond stirrups resists, no row after row is laid."""
+    # forces of no other test, which would have the same results
     monkeypatch.setattr(aci318_links, "MOST_ROWS", 1)
-    assert "would go on beyond" in punching_links(solve_once(raft(1700e3, ACI)))[0].why
+    assert "would go on beyond" in punching_links(solve_once(raft(1710e3, ACI)))[0].why
     monkeypatch.setattr(en1992_links, "FARTHEST", 0.5)
-    assert "would go on beyond" in punching_links(solve_once(raft(1500e3)))[0].why
+    assert "would go on beyond" in punching_links(solve_once(raft(1520e3)))[0].why
 
 
 def test_no_links_are_told_that_cannot_be_built(monkeypatch: pytest.MonkeyPatch) -> None:
