@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from groundslab.design.demands.section_cuts import strip
+from groundslab.design.demands.cuts.section_cuts import strip
 from groundslab.results.plate_result import PlateResult
 
 

@@ -15,7 +15,7 @@ from shapely import Polygon, box
 
 from groundslab.analysis.driver import solve
 from groundslab.design.codes.en1992_2004.perimeter_demand import RectangularColumn, demand
-from groundslab.design.demands.section_cuts import strip
+from groundslab.design.demands.cuts.section_cuts import strip
 from groundslab.fem import load_vectors
 from groundslab.fem.mesh import Mesh
 from groundslab.model.ground import Pasternak, SoilLayer, Vlasov, Winkler

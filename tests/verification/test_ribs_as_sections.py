@@ -11,7 +11,7 @@ import groundslab as gs
 from groundslab.arrays import Array
 from groundslab.design.bars.beam_bars import beam_needs
 from groundslab.design.bars.members import members_of
-from groundslab.design.demands.section_cuts import carried_across
+from groundslab.design.demands.cuts.section_cuts import carried_across
 
 #: A strip of 1 m by 0.4 m under 150 kN/m, with a rib of 0.4 m by 0.4 m below it.
 B, T, Q = 1.0, 0.4, 150e3
@@ -114,7 +114,7 @@ def test_a_rib_on_springs_carries_loads_less_the_ground(section: dict[str, Any])
 @pytest.mark.parametrize("section", RIBS)
 def test_cuts_through_slab_and_rib_carry_the_same(section: dict[str, Any]) -> None:
     """The slab's shear forces over the effective width and the rib's own add up to V of the section, to 1 %."""
-    from groundslab.design.demands.section_cuts import strip
+    from groundslab.design.demands.cuts.section_cuts import strip
 
     results, s, _, V = solved(rib(8.0, [-4.0, 4.0], section))
     cuts = strip(results["ULS"].plate, (-2.9, 0.0), (2.9, 0.0), B, 30)
@@ -135,7 +135,7 @@ def test_a_rectangle_carries_its_share_of_both() -> None:
 
 def test_a_rib_and_the_slab_beside_its_flange_carry_the_load() -> None:
     """In a slab of 3 m, 1.5 m of which are the flange: both moments add up to q L^2 / 8 of 3 m, to 1 %."""
-    from groundslab.design.demands.section_cuts import strip
+    from groundslab.design.demands.cuts.section_cuts import strip
 
     wide = 3.0
     lines = [{"kind": "line", "points": [(x, -wide / 2), (x, wide / 2)], "acts": "both ways"} for x in (-4.0, 4.0)]

@@ -20,7 +20,7 @@ from groundslab.design.bars.members import Member, Section, StripMember, across,
 from groundslab.design.codes.eurocode2.struts import LEVER
 from groundslab.design.codes.registry import code_of
 from groundslab.design.demands.beam_supports import shear_forces
-from groundslab.design.demands.section_cuts import length_across
+from groundslab.design.demands.cuts.section_cuts import length_across
 from groundslab.design.rules.bending import Reinforcement as Bending
 from groundslab.design.rules.bending_steps import BarsNeeded
 from groundslab.design.rules.combinations import ultimate_results

@@ -15,7 +15,7 @@ import numpy as np
 
 from groundslab.arrays import Array, Flags, Integers, made_once, made_once_by
 from groundslab.design.demands.beam_supports import Faces, faces_on
-from groundslab.design.demands.section_cuts import StripResult, moments_across, strip
+from groundslab.design.demands.cuts.section_cuts import StripResult, moments_across, strip
 from groundslab.design.rules.design_code import TensionZone
 from groundslab.design.rules.webs import Web
 from groundslab.fem.mesh import Mesh, locate

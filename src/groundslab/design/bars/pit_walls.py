@@ -20,7 +20,7 @@ import numpy as np
 from groundslab.arrays import Array, Integers
 from groundslab.design.codes.registry import code_of
 from groundslab.design.demands.by_plate import nodes_at
-from groundslab.design.demands.section_cuts import rotate_to_cut
+from groundslab.design.demands.cuts.section_cuts import rotate_to_cut
 from groundslab.design.rules.bending_steps import BarsNeeded
 from groundslab.design.rules.combinations import ultimate_results
 from groundslab.geometry.offsets import counterclockwise

@@ -14,8 +14,8 @@ import numpy as np
 
 from groundslab.arrays import Array, Flags, Integers
 from groundslab.design.demands.by_plate import results_by_plate
+from groundslab.design.demands.cuts.line_traversal import interpolation, pieces
 from groundslab.design.demands.design_moments import ratio_along
-from groundslab.design.demands.line_traversal import interpolation, pieces
 from groundslab.design.demands.perimeter_loads import effective_depth, footprint_of
 from groundslab.design.demands.perimeters import outline
 from groundslab.fem.mesh import Mesh

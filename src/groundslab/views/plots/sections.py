@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from groundslab.design.demands.section_cuts import SectionCut, cut_along
+from groundslab.design.demands.cuts.section_cuts import SectionCut, cut_along
 from groundslab.errors import InputError, Issue
 from groundslab.geometry.plan import DRAWN_CHORD
 from groundslab.messages import Message, Name, counted, joined

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from groundslab.design.bars.required_bars import areas_for
+from groundslab.design.demands.cuts.section_cuts import StripResult, strip
 from groundslab.design.demands.design_moments import DesignMoments
-from groundslab.design.demands.section_cuts import StripResult, strip
 from groundslab.design.rules.combinations import ultimate_results
 from groundslab.errors import InputError
 from groundslab.messages import Message, Name

@@ -107,32 +107,16 @@ def build_report(
     combinations.require_finite(combined)
     entries = combinations.entries(combined)
     text = casefile.to_toml(combined.model) if text is None else text
-    short = length == "short"
-    if chapters is None:
-        asked = combined.model.report
-        chapters = SHORT_CHAPTERS if short and "chapters" not in asked.model_fields_set else asked.chapters
-    if unknown := [name for name in chapters if name not in TITLES]:
-        expected = f"chapters among {listed(TITLES)}"
-        raise InputError([Issue("chapters", f'"{name}"', expected) for name in unknown])
-    if comparison is not None and comparison.model != combined.model:
-        raise InputError([Issue("comparison", "one of another model", "one of the model of the results")])
-    missing = {"grounds"} if comparison is None else set()
-    missing |= set() if "calculations" in table_makers(combined) else {"calculations"}
-    shown = [name for name in TITLES if name in chapters and name not in missing]
-    source = SourceText(printable(file), printable(text, keep="\n\t"))
+    shown = _chosen(combined, chapters, comparison, length)
+    short, source = length == "short", SourceText(printable(file), printable(text, keep="\n\t"))
     makers = _chapters(combined, entries, comparison, source, short=short, in_appendix="long_tables" in shown)
     made: list[ChapterOfReport] = []
     for number, name in enumerate(shown):
         told(TITLES[name], number / len(shown))
         made.append(ChapterOfReport(name, TITLES[name], tuple(makers[name]()), name in APPENDIX))
     if combined.refused:
-        units = combined.model.units
-        reasons = {
-            name: Paragraph(refusal_words(error, units), "bad reason") for name, error in combined.refused.items()
-        }
-        refused = tuple(Part(Name(name), (reason,), keep=True) for name, reason in reasons.items())
         first = next((at for at, chapter in enumerate(made) if chapter.in_appendix), len(made))
-        made.insert(first, ChapterOfReport("refused", "Combinations without results", refused))
+        made.insert(first, _refused(combined))
     design, digest = check_design(combined), hashlib.sha256(text.encode()).hexdigest()
     return Report(
         title=combined.model.title,
@@ -151,6 +135,33 @@ def build_report(
         analysis=_verdict(combined, entries),
         chapters=tuple(made),
     )
+
+
+def _chosen(
+    combined: Results, chapters: Sequence[str] | None, comparison: GroundComparison | None, length: Length
+) -> list[Chapter]:
+    """Return the chapters that there are to be, in their order; raises InputError."""
+    if chapters is None:
+        asked = combined.model.report
+        chapters = SHORT_CHAPTERS if length == "short" and "chapters" not in asked.model_fields_set else asked.chapters
+    if unknown := [name for name in chapters if name not in TITLES]:
+        expected = f"chapters among {listed(TITLES)}"
+        raise InputError([Issue("chapters", f'"{name}"', expected) for name in unknown])
+    if comparison is not None and comparison.model != combined.model:
+        raise InputError([Issue("comparison", "one of another model", "one of the model of the results")])
+    missing = {"grounds"} if comparison is None else set()
+    missing |= set() if "calculations" in table_makers(combined) else {"calculations"}
+    return [name for name in TITLES if name in chapters and name not in missing]
+
+
+def _refused(combined: Results) -> ChapterOfReport:
+    """Return why combinations have no results."""
+    reasons = {
+        name: Paragraph(refusal_words(error, combined.model.units), "bad reason")
+        for name, error in combined.refused.items()
+    }
+    parts = tuple(Part(Name(name), (reason,), keep=True) for name, reason in reasons.items())
+    return ChapterOfReport("refused", "Combinations without results", parts)
 
 
 def _check_line(check: DesignCheck, *, short: bool) -> CheckLine:

@@ -124,13 +124,13 @@ def write_report(
         Text of the case file, which the report quotes, and its name; without a text, the model is written out.
     chapters : sequence of str, optional
         The chapters beside the first page; by default those of ``report.chapters`` of the case.
-    length : {"short", "full"}, optional
-        How much of all that was computed it holds; by default ``report.length`` of the case, else short on paper and
-        full on the page.
     comparison : GroundComparison, optional
         A comparison of grounds of the same model, which is a chapter then.
     remark : str, optional
         What the first page says besides, such as that the case has changed since.
+    length : {"short", "full"}, optional
+        How much of all that was computed it holds; by default ``report.length`` of the case, else short on paper and
+        full on the page.
 
     Returns
     -------

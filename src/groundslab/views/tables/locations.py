@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 from groundslab.arrays import Array
+from groundslab.design.demands.cuts.section_cuts import carried_across, cut_along, strip
+from groundslab.design.demands.cuts.strip_balance import strip_balance
 from groundslab.design.demands.design_moments import fields_of
-from groundslab.design.demands.section_cuts import carried_across, cut_along, strip
-from groundslab.design.demands.strip_balance import strip_balance
 from groundslab.design.rules.combinations import solved_results
 from groundslab.errors import InputError
 from groundslab.fem.mesh import Mesh, locate

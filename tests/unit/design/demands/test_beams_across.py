@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import groundslab as gs
-from groundslab.design.demands.section_cuts import carried_across
+from groundslab.design.demands.cuts.section_cuts import carried_across
 from groundslab.views.tables.result_tables import tables_of
 from groundslab.views.tables.table import Table
 

@@ -8,7 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from shapely import LineString, Polygon, box
 
-from groundslab.design.demands.line_traversal import is_continuous, pieces
+from groundslab.design.demands.cuts.line_traversal import is_continuous, pieces
 from groundslab.fem.mesh import Mesh, local_coordinates
 from helpers.plates import crooked, parted, straight, without
 

@@ -8,8 +8,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from shapely import LineString, box
 
+from groundslab.design.demands.cuts.section_cuts import cut_along, strip
 from groundslab.design.demands.design_moments import wood_armer
-from groundslab.design.demands.section_cuts import cut_along, strip
 from groundslab.errors import InputError
 from groundslab.results.fields import PLATE_FIELDS
 from groundslab.results.plate_result import PlateResult

@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from groundslab.design.demands.section_cuts import strip
-from groundslab.design.demands.strip_balance import StripBalance, strip_balance
+from groundslab.design.demands.cuts.section_cuts import strip
+from groundslab.design.demands.cuts.strip_balance import StripBalance, strip_balance
 from groundslab.model.model import Model
 from groundslab.model.outputs import OutputStrip
 from groundslab.results.results import CombinationResult

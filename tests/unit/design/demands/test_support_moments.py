@@ -9,8 +9,8 @@ import pytest
 
 import groundslab as gs
 from groundslab.design.checks import check_design
+from groundslab.design.demands.cuts.section_cuts import strip
 from groundslab.design.demands.design_moments import design_moments
-from groundslab.design.demands.section_cuts import strip
 from groundslab.design.demands.support_moments import (
     averaging_lines,
     bar_moments,

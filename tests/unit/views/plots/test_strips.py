@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from groundslab.design.demands.section_cuts import strip
+from groundslab.design.demands.cuts.section_cuts import strip
 from groundslab.model.model import Model
 from groundslab.results.results import Results
 from groundslab.views.plots.strips import curves_of_strips

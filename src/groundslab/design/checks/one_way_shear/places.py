@@ -14,7 +14,7 @@ from groundslab.design.bars.required_bars import largest_areas, required_areas
 from groundslab.design.checks.one_way_shear.faces import Bearer, pressing, region_within_d, webs_of
 from groundslab.design.checks.one_way_shear.necks import is_beside
 from groundslab.design.demands.by_plate import distances_to_edges, farthest_from_edges, results_by_plate
-from groundslab.design.demands.line_traversal import interpolation, pieces
+from groundslab.design.demands.cuts.line_traversal import interpolation, pieces
 from groundslab.design.demands.loads.column_loads import factors_of
 from groundslab.design.demands.perimeter_loads import PunchingForce, Reach
 from groundslab.design.demands.perimeters import outline

@@ -8,10 +8,10 @@ import numpy as np
 
 from groundslab.arrays import Array
 from groundslab.design.codes.en1992_2004.perimeters import openings
-from groundslab.design.demands.line_traversal import interpolation, pieces
+from groundslab.design.demands.cuts.line_traversal import interpolation, pieces
+from groundslab.design.demands.cuts.section_cuts import rotate_to_cut
 from groundslab.design.demands.loads.edge_lengths import edge_inside
 from groundslab.design.demands.perimeters import Footprint, Perimeter, RectangularColumn, RoundColumn, perimeter
-from groundslab.design.demands.section_cuts import rotate_to_cut
 from groundslab.errors import InputError, Issue
 from groundslab.fem import load_vectors
 from groundslab.fem.mesh import Mesh

@@ -9,8 +9,8 @@ from operator import attrgetter
 import numpy as np
 
 from groundslab.arrays import Array, Flags, Integers, made_once_by
+from groundslab.design.demands.cuts.line_traversal import ON_LINE, Pieces, interpolation, is_continuous, pieces
 from groundslab.design.demands.design_moments import wood_armer
-from groundslab.design.demands.line_traversal import ON_LINE, Pieces, interpolation, is_continuous, pieces
 from groundslab.errors import InputError, Issue
 from groundslab.fem.mesh import Mesh
 from groundslab.geometry.plan import FLAT

@@ -18,9 +18,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from groundslab.arrays import Array, Integers, made_once_by
+from groundslab.design.demands.cuts.section_cuts import StripResult, cut_along, rotate_to_cut
 from groundslab.design.demands.loads.column_loads import acting_inside, factored_sums
 from groundslab.design.demands.loads.edge_lengths import edge_inside
-from groundslab.design.demands.section_cuts import StripResult, cut_along, rotate_to_cut
 from groundslab.errors import InputError
 from groundslab.fem import load_vectors
 from groundslab.fem.assembly import scatter
