@@ -15,7 +15,8 @@ from hypothesis import strategies as st
 import groundslab as g
 from groundslab.analysis.driver import Variants
 from groundslab.design.codes.en1992_2004 import bending, materials, perimeter_demand
-from groundslab.design.demands import design_moments, section_cuts, tilt
+from groundslab.design.demands import design_moments, tilt
+from groundslab.design.demands.cuts import section_cuts
 from groundslab.results.fields import PLATE_FIELDS
 from groundslab.results.results import CombinationResult
 from groundslab.verification import analytic

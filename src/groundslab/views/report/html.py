@@ -155,23 +155,22 @@ def write_report(
     >>> path = groundslab.write_report(results, "report.html")
     """
     target = check(path)
+    about: dict[str, Any] = {"text": text, "file": file, "chapters": chapters, "comparison": comparison}
     if _is_pdf(target):
-        from groundslab.views.report.pdf import typeset
-
-        combined = results_of(results)
-        model = combined.model
-        report = build_report(
-            combined, text, file, chapters, comparison, length=length or model.report.length or "short"
-        )
-        paper = model.report.paper or ("letter" if model.units == "US" else "A4")
-        made = typeset(report, model.language, translator_of(combined), f"{MARK} {__version__}", remark, paper)
-        write_file(target, target, made)
+        write_file(target, target, _typeset(results_of(results), **about, remark=remark, length=length))
     else:
-        page = render_report(
-            results, text=text, file=file, chapters=chapters, comparison=comparison, remark=remark, length=length
-        )
-        _write_page(target, page)
+        _write_page(target, render_report(results, **about, remark=remark, length=length))
     return Path(path)
+
+
+def _typeset(combined: Results, *, remark: str, length: Length | None, **about: Any) -> bytes:
+    """Return the report as PDF, short unless the case or the caller asks for all."""
+    from groundslab.views.report.pdf import typeset
+
+    model = combined.model
+    report = build_report(combined, **about, length=length or model.report.length or "short")
+    paper = model.report.paper or ("letter" if model.units == "US" else "A4")
+    return typeset(report, model.language, translator_of(combined), f"{MARK} {__version__}", remark, paper)
 
 
 def _write_page(target: Path, page: str) -> None:
