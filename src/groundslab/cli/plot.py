@@ -119,8 +119,8 @@ def describe_bars(bars: argparse.ArgumentParser) -> None:
     bars.add_argument(
         "--out",
         metavar="FILE",
-        help="file to write: .dxf, .svg, .pdf or .png (default: RESULTS-bars.svg and RESULTS-bars.dxf next to the "
-        "folder)",
+        help="file to write: .dxf, .svg, .pdf or .png, or .abs for machines that bend bars (BVBS; default: "
+        "RESULTS-bars.svg and RESULTS-bars.dxf next to the folder)",
     )
 
 
@@ -130,11 +130,10 @@ def run_bars(options: argparse.Namespace) -> int:
 
     from groundslab.views import bars
     from groundslab.views.files import results_folder
-    from groundslab.views.plots.export import check
 
     targets = bars.default_paths(options.results) if options.out is None else (Path(options.out),)
     for target in targets:
-        check(target)
+        bars.check(target)
     results = results_folder.load_results(options.results)
     for target in targets:
         bars.write_bars(results, target)

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 #: What a file is of, and its kind.
 ExportName = Literal[
     "report.pdf", "tables.xlsx", "tables.zip", "plan.pdf", "plan.svg", "plan.png", "plan.dxf", "bars.dxf", "bars.pdf",
-    "bars.svg", "saf.xlsx", "plate.vtu",
+    "bars.svg", "bars.abs", "saf.xlsx", "plate.vtu",
 ]  # fmt: skip
 SAF: ExportName = "saf.xlsx"
 #: Notes that are passed on, and letters of one, at most.

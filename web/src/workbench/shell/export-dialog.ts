@@ -46,6 +46,7 @@ const BARS: Offer = {
     ["bars.dxf", "DXF"],
     ["bars.pdf", "PDF"],
     ["bars.svg", "SVG"],
+    ["bars.abs", "BVBS"],
   ],
 };
 const SAF: Offer = {
