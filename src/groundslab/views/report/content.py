@@ -147,6 +147,7 @@ def build_report(
             *_facts(combined),
         ),
         design=("bad" if design.open else "doubtful" if design.hanging else "", design.headline),
+        unchecked=design.unchecked,
         checks=tuple(_check_line(check, short=short) for check in design.checks),
         analysis=_verdict(combined, entries),
         chapters=tuple(made),

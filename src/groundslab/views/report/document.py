@@ -121,6 +121,7 @@ class Report:
     sha256: str
     facts: tuple[tuple[str, str], ...]
     design: tuple[Verdict | Literal[""], str]  # how the design is, and that in words
+    unchecked: str  # what no check looks at, if these words do not say so
     checks: tuple[CheckLine, ...]
     analysis: tuple[Verdict, str]  # how good the results of all combinations are, and that in words
     chapters: tuple[ChapterOfReport, ...]
