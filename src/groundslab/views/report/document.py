@@ -55,9 +55,10 @@ class Part:
 
 @dataclass(frozen=True, slots=True)
 class Columns:
-    """Parts in two columns on paper."""
+    """Parts in two columns on paper, one below the other there, or beside each other as they are short."""
 
     parts: tuple[Part, ...]
+    beside: bool = False
     block: ClassVar = "columns"
 
 

@@ -11,11 +11,12 @@ from itertools import groupby
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
+from groundslab.messages import Message
 from groundslab.views.plots.style import PAGE_COLORS
 from groundslab.views.report.calculations import Sheet
 from groundslab.views.report.document import CHECK_HEADS, Bullets, Columns, Figures, Paragraph, Part
 from groundslab.views.report.formulas import set_formula
-from groundslab.views.report.sentences import raised, set_sentence, with_powers
+from groundslab.views.report.sentences import raised, set_sentence, with_powers, written_out
 from groundslab.views.report.table_layout import TableLayout, drop_empty_columns, split_symbol, split_words
 
 if TYPE_CHECKING:
@@ -137,8 +138,8 @@ class _Writer:
                 yield self._of_table(block)
             case Sheet():
                 yield self._of_sheet(block)
-            case Columns(parts):
-                yield {"block": "columns", "parts": self._of_blocks(parts)}
+            case Columns(parts, beside):
+                yield {"block": "columns", "beside": beside, "parts": self._of_blocks(parts)}
             case Part(on_paper=True):
                 title, blocks = _breakable(self.say(block.title)), self._of_blocks(block.blocks)
                 yield {"block": "part", "title": title, "level": block.level, "keep": block.keep, "blocks": blocks}
@@ -172,9 +173,13 @@ class _Writer:
                 text: Any = split_symbol(cell.text)
             case "words":
                 text = split_words(self.say(cell.text))
+            case "number":
+                text = written_out(self.say(cell.text))
+            case _ if isinstance(cell.text, Message):
+                text = self._sentence(cell.text)
             case _:
                 text = _breakable(self.say(cell.text), _NO_COLUMN).replace("_", f"_{BREAK}")
-        return [text, cell.kind, self.say(cell.under)] if cell.kind or cell.under else text
+        return [text, cell.kind, self.say(cell.under)] if cell.kind or cell.under or not isinstance(text, str) else text
 
     def _of_sheet(self, sheet: Sheet) -> dict[str, Any]:
         """Return a calculation, with the sketch of a perimeter if it has one."""
