@@ -96,7 +96,7 @@ class _Writer:
             "analysis": [report.analysis[0], self._sentence(report.analysis[1])],
             "heads": [say(head) for head in CHECK_HEADS],
             "checks": [self._of_check(check) for check in report.checks],
-            "contents": say("Contents"),
+            "refused": f"{say('Why: see')} {say('combinations without results')}." if "refused" in report.names else "",
             "appendix": say("Appendix"),
             "chapters": [
                 {
@@ -134,6 +134,8 @@ class _Writer:
                 yield {"block": "bullets", "texts": [self._sentence(text) for text in texts]}
             case Figures(drawings, columns) if drawings:
                 yield {"block": "figures", "columns": columns, "figures": [self._of_drawing(each) for each in drawings]}
+            case TableLayout(rows=()):
+                yield from self._of_blocks((Paragraph("Nothing to list."), *map(Paragraph, block.notes)))
             case TableLayout():
                 yield self._of_table(block)
             case Sheet():

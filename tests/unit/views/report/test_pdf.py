@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 import re
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -12,6 +13,7 @@ from pypdf import PdfReader
 
 import groundslab
 from groundslab.cli import main as cli
+from groundslab.errors import GroundslabError
 from groundslab.languages import Language
 from groundslab.results.results import results_of
 from groundslab.views.files import results_folder
@@ -92,3 +94,10 @@ def test_what_is_not_checked_is_said(language: Language, said: str, tmp_path: Pa
     text = PdfReader(groundslab.write_report(results, tmp_path / "a.pdf", chapters=["loads"])).pages[0].extract_text()
     assert groundslab.check_design(results).status == "fails"
     assert said in " ".join(text.split())
+
+
+def test_without_results(tmp_path: Path) -> None:
+    """Where no combination has a result, all chapters are made, and the first page says where the reasons are."""
+    results = replace(results_of(synthetic.results()), results={}, refused={"all loads": GroundslabError("too soft")})
+    text = PdfReader(groundslab.write_report(results, tmp_path / "a.pdf", length="full")).pages[0].extract_text()
+    assert "Why: see combinations without results." in " ".join(text.split())
