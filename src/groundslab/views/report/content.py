@@ -126,13 +126,8 @@ def build_report(
         told(TITLES[name], number / len(shown))
         made.append(ChapterOfReport(name, TITLES[name], tuple(makers[name]()), name in APPENDIX))
     if combined.refused:
-        units = combined.model.units
-        reasons = {
-            name: Paragraph(refusal_words(error, units), "bad reason") for name, error in combined.refused.items()
-        }
-        refused = tuple(Part(Name(name), (reason,), keep=True) for name, reason in reasons.items())
         first = next((at for at, chapter in enumerate(made) if chapter.in_appendix), len(made))
-        made.insert(first, ChapterOfReport("refused", "Combinations without results", refused))
+        made.insert(first, ChapterOfReport("refused", "Combinations without results", tuple(_refused(combined))))
     design, digest = check_design(combined), hashlib.sha256(text.encode()).hexdigest()
     return Report(
         title=combined.model.title,
@@ -152,6 +147,12 @@ def build_report(
         analysis=_verdict(combined, entries),
         chapters=tuple(made),
     )
+
+
+def _refused(combined: Results) -> Iterator[Part]:
+    """Yield why combinations have no results, each under its name."""
+    for name, error in combined.refused.items():
+        yield Part(Name(name), (Paragraph(refusal_words(error, combined.model.units), "bad reason"),), keep=True)
 
 
 def _check_line(check: DesignCheck, *, short: bool) -> CheckLine:
