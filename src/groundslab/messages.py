@@ -54,6 +54,12 @@ class Clause(Name):
     __slots__ = ()
 
 
+class Symbol(Name):
+    """A symbol such as "v_Rd,c", which is ours and has an index where it is typeset."""
+
+    __slots__ = ()
+
+
 class Label(str):
     """A text for people without values, such as the head of a column or a figure, which languages have as a whole."""
 
@@ -178,6 +184,16 @@ def capitalized(text: str, change: Callable[[str], str] = str.upper) -> str:
     else:
         template = change(template[0]) + template[1:]
     return type(text)._made(template, values, text.units)
+
+
+def with_names(text: str, change: Callable[[str], str]) -> str:
+    """Return a text in which each name of a case is changed, those in its holes too."""
+    if isinstance(text, Name):
+        return text if isinstance(text, Clause | Symbol) else Name(change(text))
+    if not isinstance(text, Message):
+        return text
+    values = {hole: with_names(each, change) if isinstance(each, str) else each for hole, each in text.values.items()}
+    return type(text)._made(text.template, values, text.units)
 
 
 def counted(count: int, one: str, many: str, **values: Value) -> Message:

@@ -86,11 +86,14 @@ class Design:
         The outcome in a sentence.
     checks : tuple of DesignCheck
         All checks.
+    unchecked : str
+        What no check looks at, in a sentence; empty where the headline says so.
     """
 
     status: Status
     headline: str
     checks: tuple[DesignCheck, ...] = ()
+    unchecked: str = ""
 
     @property
     def open(self) -> tuple[DesignCheck, ...]:
@@ -146,6 +149,7 @@ def _check_design(combined: Results) -> Design:
         anchored = anchorage.NAME in [check.name for check in checks]
         unchecked = {"rest": LAPS_NOT_CHECKED if anchored else NOT_CHECKED, **unchecked}
     left = joined(unchecked.values(), "; ")
+    sentence = Message("{text:capital}.", text=left)
     failing, doubtful = (sum(check.status == status for check in checked) for status in ("fails", "attention"))
     hanging = sum(check.hangs for check in checked)
     of_them = (
@@ -161,7 +165,7 @@ def _check_design(combined: Results) -> Design:
     left_open = _left_open(checked) + _off_words(listed)
     if failing:
         count = counted(failing, "{count} of {total} fails", "{count} of {total} fail", total=total)
-        return Design("fails", _failure(checked[0], count + of_them) + left_open, listed)
+        return Design("fails", _failure(checked[0], count + of_them) + left_open, listed, sentence)
     if doubtful:
         words = counted(
             doubtful,
@@ -170,7 +174,7 @@ def _check_design(combined: Results) -> Design:
             total=total,
             of_them=of_them,
         )
-        return Design("attention", words + left_open, listed)
+        return Design("attention", words + left_open, listed, sentence)
     if checked:
         words = Message("No failure found in {total}{of_them}; {left}.", total=total, of_them=of_them, left=left)
         return Design("no failure found", words + left_open, listed)

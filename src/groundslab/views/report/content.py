@@ -39,7 +39,7 @@ from groundslab.views.report.drawings.signs import draw_signs
 from groundslab.views.report.ground_models import build_chapter
 from groundslab.views.report.input_tables import input_tables
 from groundslab.views.report.length import CHAPTERS as SHORT_CHAPTERS
-from groundslab.views.report.length import governing_sheets, shorten_tables
+from groundslab.views.report.length import governing_sheets, shorten_input, shorten_tables
 from groundslab.views.report.table_layout import Cell, TableHeader, TableLayout, drop_empty_columns, headers
 from groundslab.views.summary import combinations, sections
 from groundslab.views.summary.discretization import coarse_words, is_unknown, provisional_words
@@ -116,7 +116,7 @@ def build_report(
         made.append(ChapterOfReport(name, TITLES[name], tuple(makers[name]()), name in APPENDIX))
     if combined.refused:
         first = next((at for at, chapter in enumerate(made) if chapter.in_appendix), len(made))
-        made.insert(first, _refused(combined))
+        made.insert(first, ChapterOfReport("refused", "Combinations without results", tuple(_refused(combined))))
     design, digest = check_design(combined), hashlib.sha256(text.encode()).hexdigest()
     return Report(
         title=combined.model.title,
@@ -131,6 +131,7 @@ def build_report(
             *_facts(combined),
         ),
         design=("bad" if design.open else "doubtful" if design.hanging else "", design.headline),
+        unchecked=design.unchecked,
         checks=tuple(_check_line(check, short=short) for check in design.checks),
         analysis=_verdict(combined, entries),
         chapters=tuple(made),
@@ -154,14 +155,10 @@ def _chosen(
     return [name for name in TITLES if name in chapters and name not in missing]
 
 
-def _refused(combined: Results) -> ChapterOfReport:
-    """Return why combinations have no results."""
-    reasons = {
-        name: Paragraph(refusal_words(error, combined.model.units), "bad reason")
-        for name, error in combined.refused.items()
-    }
-    parts = tuple(Part(Name(name), (reason,), keep=True) for name, reason in reasons.items())
-    return ChapterOfReport("refused", "Combinations without results", parts)
+def _refused(combined: Results) -> Iterator[Part]:
+    """Yield why combinations have no results, each under its name."""
+    for name, error in combined.refused.items():
+        yield Part(Name(name), (Paragraph(refusal_words(error, combined.model.units), "bad reason"),), keep=True)
 
 
 def _check_line(check: DesignCheck, *, short: bool) -> CheckLine:
@@ -213,7 +210,7 @@ def _chapters(
             [Part(grid.title, (grid,), keep=True) for grid in _extremes(combined, entries)]
             or [Paragraph(NOTHING, "bad")]
         ),
-        "pictures": lambda: _pictures(combined, beside),
+        "pictures": lambda: _pictures(combined, beside, beams=2 if short else 1),
         "drawings": lambda: _first_alone(tuple(_drawings(combined, leading, short=short))),
         "loads": lambda: (
             Paragraph("Each load case by itself, values without factors."),
@@ -246,9 +243,10 @@ def _chapters(
 
 
 def _assumptions(combined: Results, *, short: bool) -> Iterator[Block]:
-    """Yield the assumptions, in short as one paragraph and without the drawing of signs."""
+    """Yield the assumptions, in short as one paragraph behind what is given, without the drawing of signs."""
     said = tuple(list_assumptions(combined))
     if short:
+        yield Columns(tuple(shorten_input(input_tables(combined.model, combined.combinations))), beside=True)
         yield Paragraph(joined(said, " "))
     else:
         yield Figures((draw_signs(translator_of(combined)),))
@@ -269,13 +267,13 @@ def _first_alone(drawn: tuple[drawings.Drawing, ...]) -> tuple[Figures, Figures]
     return Figures(drawn[:1]), Figures(drawn[1:], columns=2)
 
 
-def _pictures(combined: Results, beside: int) -> Iterator[Block]:
-    """Yield the governing fields as small plans, and the forces along beams."""
+def _pictures(combined: Results, beside: int, beams: int) -> Iterator[Block]:
+    """Yield the governing fields as small plans, and the forces along beams, each so many beside each other."""
     if pictures := tuple(drawings.draw_pictures(combined)):
         yield Figures(pictures, beside)
     else:
         yield Paragraph(NOTHING)
-    yield Figures(tuple(drawings.draw_beams(combined)))
+    yield Figures(tuple(drawings.draw_beams(combined)), beams)
 
 
 def _case(combined: Results, source: SourceText, analyzed: Sequence[SummarySection]) -> Iterator[Block]:

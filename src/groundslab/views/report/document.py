@@ -55,9 +55,10 @@ class Part:
 
 @dataclass(frozen=True, slots=True)
 class Columns:
-    """Parts in two columns on paper."""
+    """Parts in two columns on paper, one below the other there, or beside each other as they are short."""
 
     parts: tuple[Part, ...]
+    beside: bool = False
     block: ClassVar = "columns"
 
 
@@ -121,6 +122,7 @@ class Report:
     sha256: str
     facts: tuple[tuple[str, str], ...]
     design: tuple[Verdict | Literal[""], str]  # how the design is, and that in words
+    unchecked: str  # what no check looks at, if these words do not say so
     checks: tuple[CheckLine, ...]
     analysis: tuple[Verdict, str]  # how good the results of all combinations are, and that in words
     chapters: tuple[ChapterOfReport, ...]

@@ -47,8 +47,14 @@ def _set_atom(match: re.Match[str], point: str) -> str:
         written = _quoted(digits.replace(".", point))
         return f"{written} dot 10^{_quoted(str(int(exponent)).replace('-', '−'))}" if exponent else written
     symbol = match["symbol"]
-    if symbol in CONSTANTS:
-        return _quoted("π")
+    return _quoted("π") if symbol in CONSTANTS else _set_symbol(symbol)
+
+
+def _set_symbol(symbol: str) -> str:
+    """Return a symbol with its index below; one such as nu_f_cd is a factor before a symbol that has an index."""
+    if symbol.count("_") > 1:
+        factor, _, rest = symbol.partition("_")
+        return f"{_set_symbol(factor)} thin {_set_symbol(rest)}"
     stem, primes = symbol.rstrip("'"), "'" * symbol.count("'")
     base, _, index = stem.partition("_")
     ((letter, _), *_) = split_symbol(base)

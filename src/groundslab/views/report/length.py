@@ -6,13 +6,16 @@ import re
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from groundslab.views.report.table_layout import is_long
+from groundslab.views.report.document import Part
+from groundslab.views.report.table_layout import drop_empty_columns, is_long
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
     from groundslab.model.outputs import Chapter
     from groundslab.views.report.calculations import Sheet
+    from groundslab.views.report.input_tables import InputTable
+    from groundslab.views.report.table_layout import TableLayout
     from groundslab.views.tables.table import Table
 
 #: Chapters of a short report.
@@ -24,6 +27,8 @@ TABLES = (
     "acting", "combinations", "column_envelope", "reinforcement", "beam_reinforcement", "wall_reinforcement", "cores",
     "shear_reinforcement", "bars",
 )  # fmt: skip
+#: Sections of the case that it has, with what is given there: sizes and materials of the plate and the ground under it.
+GIVEN = ("plate", "ground", "reinforcement", "soil_strength")
 #: What the name of a check of one layer of bars ends with.
 _LAYER = re.compile(" at the (bottom|top) [xy]$")
 
@@ -55,3 +60,21 @@ def governing_sheets(sheets: Sequence[Sheet]) -> list[Sheet]:
         if kind not in governing or sheet.last > governing[kind].last:
             governing[kind] = sheet
     return list(governing.values())
+
+
+def shorten_input(sections: Sequence[InputTable]) -> Iterator[Part]:
+    """Yield what a case gives of plate, ground and reinforcement: keys and values, without meanings and defaults."""
+    for section in sections:
+        # bars have a table of their own
+        given = map(_given, section.grids[:1] if section.key == "reinforcement" else section.grids)
+        if section.key in GIVEN and (grids := [grid for grid in given if grid.rows]):
+            blocks = (Part(grid.title, (grid,), level=4) if grid.title else grid for grid in grids)
+            yield Part(section.title, tuple(blocks), keep=True)
+
+
+def _given(grid: TableLayout) -> TableLayout:
+    """Return the keys of a grid that a case gives, without their meanings; a list as it is."""
+    if grid.heads[-1].text != "meaning":
+        return replace(grid, notes=())
+    rows = tuple(row[:-1] for row in grid.rows if not row[-1].text.endswith("(default)"))
+    return drop_empty_columns(replace(grid, heads=grid.heads[:-1], rows=rows, notes=()))

@@ -11,10 +11,12 @@ from itertools import groupby
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
+from groundslab.messages import Message
 from groundslab.views.plots.style import PAGE_COLORS
 from groundslab.views.report.calculations import Sheet
 from groundslab.views.report.document import CHECK_HEADS, Bullets, Columns, Figures, Paragraph, Part
 from groundslab.views.report.formulas import set_formula
+from groundslab.views.report.sentences import raised, set_sentence, with_powers, written_out
 from groundslab.views.report.table_layout import TableLayout, drop_empty_columns, split_symbol, split_words
 
 if TYPE_CHECKING:
@@ -31,8 +33,9 @@ HERE = Path(__file__).parent
 STANDARDS: tuple[Literal["ua-1", "a-2a"], ...] = ("ua-1", "a-2a")
 #: Colors of pages on paper, by their names.
 COLORS = {name: color for color, name in PAGE_COLORS.items() if color != "#000000"}
-#: A line may end after an underscore.
-BREAK = "_\N{ZERO WIDTH SPACE}"
+#: Where a line may end within a word: after an underscore, and anywhere in what no line, or no column, has space for.
+BREAK = "\N{ZERO WIDTH SPACE}"
+_NO_LINE, _NO_COLUMN = re.compile(r"\S{80,}"), re.compile(r"\S{25,}")
 #: What Typst calls sizes of paper.
 PAPERS = {"A4": "a4", "letter": "us-letter"}
 #: Where letters stand that the fonts of the report lack, such as Hebrew and Arabic.
@@ -77,22 +80,23 @@ class _Writer:
         """Return all of a report; what the screen alone has is left out."""
         say = self.say
         left, right, digest = report.heading
-        facts = [(say(name), say(value)) for name, value in (*report.project, *report.facts)]
+        facts = [(say(name), _breakable(say(value))) for name, value in (*report.project, *report.facts)]
         chapters = [chapter for chapter in report.chapters if chapter.name != "viewer"]
         return {
             "language": self.language,
             "mark": mark,
-            "title": report.title or say("(no title)"),
+            "title": _breakable(report.title) or say("(no title)"),
             "file": report.file,
-            "head": [left, right],
+            "head": [" ".join(left.split()), " ".join(right.split())],
             "foot": f"groundslab {report.version}, {say('SHA-256 of the input')} {digest}",
             "facts": facts,
-            "remark": say(remark),
-            "design": [report.design[0], say(report.design[1])],
-            "analysis": [report.analysis[0], say(report.analysis[1])],
+            "remark": self._sentence(remark),
+            "design": [report.design[0], self._sentence(report.design[1])],
+            "unchecked": self._sentence(report.unchecked),
+            "analysis": [report.analysis[0], self._sentence(report.analysis[1])],
             "heads": [say(head) for head in CHECK_HEADS],
             "checks": [self._of_check(check) for check in report.checks],
-            "contents": say("Contents"),
+            "refused": f"{say('Why: see')} {say('combinations without results')}." if "refused" in report.names else "",
             "appendix": say("Appendix"),
             "chapters": [
                 {
@@ -106,9 +110,16 @@ class _Writer:
 
     def _of_check(self, check: CheckLine) -> dict[str, Any]:
         """Return a line of the first page."""
-        return {field.name: self.say(getattr(check, field.name)) for field in fields(check)} | {
-            "verdict": check.verdict
-        }
+        texts = {field.name: self.say(getattr(check, field.name)) for field in fields(check)}
+        words = self._sentence(check.words)
+        return texts | {
+            "demand": with_powers(texts["demand"]), "limit": with_powers(texts["limit"]), "words": words,
+            "verdict": check.verdict,
+        }  # fmt: skip
+
+    def _sentence(self, text: str) -> list[tuple[str, str]]:
+        """Return words as pairs of what stands on the line and what below it."""
+        return [(_breakable(words), below) for words, below in set_sentence(text, self.say)]
 
     def _of_blocks(self, blocks: Iterable[Block]) -> list[dict[str, Any]]:
         """Return those blocks that stand on paper."""
@@ -118,28 +129,29 @@ class _Writer:
         """Yield a block as the template reads it, if it stands on paper."""
         match block:
             case Paragraph(text, kind):
-                yield {"block": "paragraph", "text": self.say(text), "kind": kind}
+                yield {"block": "paragraph", "text": self._sentence(text), "kind": kind}
             case Bullets(texts):
-                yield {"block": "bullets", "texts": [self.say(text) for text in texts]}
+                yield {"block": "bullets", "texts": [self._sentence(text) for text in texts]}
             case Figures(drawings, columns) if drawings:
                 yield {"block": "figures", "columns": columns, "figures": [self._of_drawing(each) for each in drawings]}
+            case TableLayout(rows=()):
+                yield from self._of_blocks((Paragraph("Nothing to list."), *map(Paragraph, block.notes)))
             case TableLayout():
                 yield self._of_table(block)
             case Sheet():
                 yield self._of_sheet(block)
-            case Columns(parts):
-                yield {"block": "columns", "parts": self._of_blocks(parts)}
+            case Columns(parts, beside):
+                yield {"block": "columns", "beside": beside, "parts": self._of_blocks(parts)}
             case Part(on_paper=True):
-                yield {"block": "part", "title": self.say(block.title), "level": block.level, "keep": block.keep,
-                       "blocks": self._of_blocks(block.blocks)}  # fmt: skip
+                title, blocks = _breakable(self.say(block.title)), self._of_blocks(block.blocks)
+                yield {"block": "part", "title": title, "level": block.level, "keep": block.keep, "blocks": blocks}
 
     def _of_drawing(self, drawing: Drawing) -> dict[str, Any]:
         """Return the name of a drawing's file, and its caption."""
         name = f"{len(self.drawings)}.svg"
         svg, label = standalone(drawing.svg)
         self.drawings[name] = svg
-        caption = self.say(drawing.caption)
-        return {"file": name, "label": label, "caption": split_words(caption) if drawing.symbols else caption}
+        return {"file": name, "label": label, "caption": self._sentence(drawing.caption)}
 
     def _of_table(self, table: TableLayout) -> dict[str, Any]:
         """Return a table without empty columns; each cell is its text, its kind and what stands small below it."""
@@ -148,13 +160,13 @@ class _Writer:
             "block": "table",
             "heads": [self._of_head(head) for head in table.heads],
             "rows": [[self._of_cell(cell) for cell in row] for row in table.rows],
-            "notes": [self.say(note) for note in table.notes],
+            "notes": [self._sentence(note) for note in table.notes],
         }
 
     def _of_head(self, head: TableHeader) -> dict[str, Any]:
         """Return what stands above a column."""
         words = head.text if head.plain else split_words(self.say(head.text))
-        return {"words": words, "symbol": split_symbol(head.symbol), "unit": head.unit, "number": head.number}
+        return {"words": words, "symbol": split_symbol(head.symbol), "unit": raised(head.unit), "number": head.number}
 
     def _of_cell(self, cell: Cell) -> Any:
         """Return a cell, a plain text as it is."""
@@ -163,15 +175,19 @@ class _Writer:
                 text: Any = split_symbol(cell.text)
             case "words":
                 text = split_words(self.say(cell.text))
+            case "number":
+                text = written_out(self.say(cell.text))
+            case _ if isinstance(cell.text, Message):
+                text = self._sentence(cell.text)
             case _:
-                text = self.say(cell.text).replace("_", BREAK)
-        return [text, cell.kind, self.say(cell.under)] if cell.kind or cell.under else text
+                text = _breakable(self.say(cell.text), _NO_COLUMN).replace("_", f"_{BREAK}")
+        return [text, cell.kind, self.say(cell.under)] if cell.kind or cell.under or not isinstance(text, str) else text
 
     def _of_sheet(self, sheet: Sheet) -> dict[str, Any]:
         """Return a calculation, with the sketch of a perimeter if it has one."""
         sketch = None if sheet.sketch is None else self._of_drawing(sheet.sketch)
         return {
-            "block": "sheet", "title": self.say(sheet.title), "sketch": sketch,
+            "block": "sheet", "title": _breakable(self.say(sheet.title)), "sketch": sketch,
             "groups": [
                 list(map(self._of_line, lines)) for _, lines in groupby(sheet.lines, lambda line: bool(line.formula))
             ],
@@ -193,9 +209,9 @@ class _Writer:
         }
 
 
-def raised(unit: str) -> str:
-    """Return a unit with its powers raised."""
-    return unit.translate(str.maketrans("234", "²³⁴"))
+def _breakable(text: str, long: re.Pattern[str] = _NO_LINE) -> str:
+    """Return a text in which what is too long without a space may be broken at each letter."""
+    return long.sub(lambda run: BREAK.join(run[0]), text)
 
 
 def standalone(svg: str) -> tuple[bytes, str]:

@@ -190,7 +190,7 @@ def _cell(value: RawCell, error: RawCell = None, column: str = "") -> Cell:
 GREEK = {
     "alpha": "α", "beta": "β", "gamma": "γ", "eta": "η", "kappa": "κ", "nu": "ν", "psi": "ψ", "phi": "φ", "rho": "ρ",
     "mu": "μ", "omega": "ω", "sigma": "σ", "lambda": "λ", "delta": "δ", "eps": "ε", "epsilon": "ε", "theta": "θ",
-    "tau": "τ", "dT": "ΔT",
+    "tau": "τ", "dT": "ΔT", "Delta": "Δ",
 }  # fmt: skip
 _SYMBOL = re.compile(r"(?<![\w])([A-Za-z]+)(?:_([A-Za-z0-9]+))?(?![\w])")
 

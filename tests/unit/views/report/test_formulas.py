@@ -30,6 +30,8 @@ def plain(formula: str, point: str = ".") -> str:
         ("(-3.5) * a", "lr((−3.5)) dot (a)"),
         ("1.2e-05 * a", "1.2 dot 10^−5 dot (a)"),
         ("gamma_C * pi", "(γ)_C dot π"),
+        ("Delta_c,dev + cot_max", "(Δ)_c,dev + (cot)_max"),
+        ("t * nu_f_cd / 2", "frac((t) dot (ν) thin (f)_cd, 2)"),
     ],
 )
 def test_formula(formula: str, expected: str) -> None:

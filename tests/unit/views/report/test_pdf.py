@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 import re
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -12,6 +13,8 @@ from pypdf import PdfReader
 
 import groundslab
 from groundslab.cli import main as cli
+from groundslab.errors import GroundslabError
+from groundslab.languages import Language
 from groundslab.results.results import results_of
 from groundslab.views.files import results_folder
 from helpers import synthetic
@@ -62,3 +65,39 @@ def test_with_another_ending(tmp_path: Path, capsys: pytest.CaptureFixture[str])
     folder = results_folder.save_results(synthetic.results(), tmp_path / "slab")
     assert cli.main(["report", str(folder), "--pdf", "--out", str(tmp_path / "slab.html")]) == 2
     assert "ends in .pdf" in capsys.readouterr().err
+
+
+def test_long_words_and_titles_stay_on_the_page(tmp_path: Path) -> None:
+    """What is too long for its line is broken, at the head of pages cut with an ellipsis; nothing runs off the page."""
+    name = "#$\\<\"'@*_`" + "9" * 290
+    model = synthetic.model().replace(title=f"A title {name}", project={"number": name, "client": "X" * 300})
+    reader = PdfReader(groundslab.write_report(synthetic.results(model=model), tmp_path / "a.pdf", chapters=["loads"]))
+    right: list[float] = []
+
+    def visit(text: str, _: Any, matrix: list[float], *__: Any) -> None:
+        if text.strip():
+            right.append(matrix[4])
+
+    text = reader.pages[0].extract_text(visitor_text=visit)
+    assert max(right) < 595 - 40  # each piece of text begins before the margin of 15 mm
+    assert "…" in text
+    assert text.replace("\u200b", "").replace("\n", "").count("9" * 290) == 2  # in full as title and as number
+
+
+@pytest.mark.parametrize(
+    ("language", "said"), [("en", "Strength was not checked"), ("de", "Festigkeit wurde nicht nachgewiesen")]
+)
+def test_what_is_not_checked_is_said(language: Language, said: str, tmp_path: Path) -> None:
+    """The first page says what no check looks at, also where the design fails."""
+    model = synthetic.model().replace(limits={"settlement": "1 mm"})  # it settles by 28 mm
+    results = in_language(results_of(synthetic.results(model=model)), language)
+    text = PdfReader(groundslab.write_report(results, tmp_path / "a.pdf", chapters=["loads"])).pages[0].extract_text()
+    assert groundslab.check_design(results).status == "fails"
+    assert said in " ".join(text.split())
+
+
+def test_without_results(tmp_path: Path) -> None:
+    """Where no combination has a result, all chapters are made, and the first page says where the reasons are."""
+    results = replace(results_of(synthetic.results()), results={}, refused={"all loads": GroundslabError("too soft")})
+    text = PdfReader(groundslab.write_report(results, tmp_path / "a.pdf", length="full")).pages[0].extract_text()
+    assert "Why: see combinations without results." in " ".join(text.split())

@@ -52,7 +52,7 @@ from groundslab.design.rules.punching import punched_names
 from groundslab.design.rules.punching_links.demand import LinkLimit
 from groundslab.design.rules.shear_demand import AlongForce, ShearDemand
 from groundslab.design.rules.wide_beam import Cut, same
-from groundslab.messages import Clause, Message, Name, quantity
+from groundslab.messages import Clause, Message, Name, Symbol, quantity
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.model.design.shear_links import ShearLinks
 from groundslab.results.fields import place_of
@@ -128,11 +128,11 @@ def _check(steel: Reinforcement, code: DesignCode, rule: ShearRule, demand: Shea
     words: str = Message(
         "{force} {v:.4g kN/m} at {where} is {used:.3g} times {resistance} {without_links:.4g kN/m} with the bars "
         "{which} ({clause})",
-        force=Name(said.force),
+        force=Symbol(said.force),
         v=demand.v / 1e3,
         where=demand.where,
         used=demand.used,
-        resistance=Name(said.without_links),
+        resistance=Symbol(said.without_links),
         without_links=demand.without_links / 1e3,
         which="provided" if steel.laid else "needed for bending",
         clause=Clause(said.clause),
@@ -204,7 +204,7 @@ def _with_links(steel: Reinforcement, code: DesignCode, rule: ShearRule, demand:
     holds = worst.used <= 1 + ROUNDING
     words: str = Message(
         "{force} {v:.4g kN/m} at {where} needs links; {name}: {what} {value} {sign} {limit} ({clause})",
-        force=Name(rule.words.force), v=demand.v / 1e3, where=demand.where, name=Name(demand.links.name),
+        force=Symbol(rule.words.force), v=demand.v / 1e3, where=demand.where, name=Name(demand.links.name),
         what=worst.what, value=quantity(worst.value, worst.unit), sign="<=" if holds else ">",
         limit=quantity(worst.limit, worst.unit), clause=Clause(worst.clause),
     )  # fmt: skip

@@ -128,7 +128,7 @@ def _draw_members(combined: Results) -> Iterator[Drawing]:
         drawn = [words for name, words in FORCES.items() if any(name in beam.values for beam in part)]
         caption = Message(
             "Along {names}: {forces}. The moment is positive, downwards, where the beam sags.",
-            names=joined(curves.name for curves in part),
+            names=joined(Name(curves.name) for curves in part),
             forces=joined(drawn),
         )
         draw = partial(beams.draw_curves, request, part, titled=False)
