@@ -6,6 +6,7 @@ import ast
 import re
 from collections import Counter
 from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -175,8 +176,13 @@ def texts_of(tree: ast.AST) -> Iterator[str]:
             yield from texts_of(node)
 
 
-def said() -> Iterator[tuple[str, str, set[str]]]:
-    """Yield where each message of the package is, its template, and the names of its values."""
+@cache
+def said() -> tuple[tuple[str, str, set[str]], ...]:
+    """Return where each message of the package is, its template, and the names of its values."""
+    return tuple(_said())
+
+
+def _said() -> Iterator[tuple[str, str, set[str]]]:
     for path in sorted(Path(ROOT, "src", "groundslab").rglob("*.py")):
         for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
             called = getattr(node.func, "id", "") if isinstance(node, ast.Call) else ""
@@ -188,7 +194,7 @@ def said() -> Iterator[tuple[str, str, set[str]]]:
 
 def test_each_hole_has_a_value_and_a_known_unit() -> None:
     """In branches, too, that no test takes: no value is missing or for nothing, and none is left in SI units."""
-    templates = list(said())
+    templates = said()
     assert len(templates) > 400
     for where, template, given in templates:
         holes = [(name, spec) for _, name, spec in holes_of(template) if name is not None]
@@ -200,26 +206,25 @@ def test_each_hole_has_a_value_and_a_known_unit() -> None:
             assert spec == CAPITAL or written(1.5, spec, "US")
 
 
-def test_all_messages_have_a_translation() -> None:
-    """Those of the whole package but for commands that speak English alone, as the one that checks a file."""
-    known = messages("de")
-    without = {
+def test_each_text_has_a_translation() -> None:
+    """Messages of the whole package, but for commands that speak English alone, and labels that readers see.
+
+    All that lack one are told at once; what one catalogue has, every one has.
+    """
+    asked = Catalogue("de", messages("de"), unknown=[])
+    lacking = {
         key
         for where, template, _ in said()
-        if not where.startswith(("case.py", "propose_bars.py"))
-        and (key := key_of(template).strip()) not in known
-        and re.search(r"[a-z]{3}", HOLE.sub("", key))
+        if not where.startswith(("case.py", "propose_bars.py")) and is_lacking(key := key_of(template).strip(), asked)
     }
-    assert without == set()
-
-
-@pytest.mark.parametrize("language", OTHERS)
-def test_sources_have_no_message_without_translation(language: Language) -> None:
-    """Also labels, and those that no example shows."""
-    asked = Catalogue(language, messages(language), unknown=[])
     for text in made_messages():
         if HOLE.search(text):
-            assert text.strip() in asked.whole or not re.search(r"[a-z]{3}", HOLE.sub("", text)), text
+            lacking |= {text} if is_lacking(text.strip(), asked) else set()
         elif len(re.findall(r"[A-Za-z]{3,}", text)) > 1 and not NO_MESSAGE.search(text):
             asked(text)
-    assert sorted(set(asked.unknown or ())) == []
+    assert sorted(lacking.union(asked.unknown or ())) == []
+
+
+def is_lacking(key: str, known: Catalogue) -> bool:
+    """Return whether a template has words and no translation."""
+    return key not in known.whole and re.search(r"[a-z]{3}", HOLE.sub("", key)) is not None
