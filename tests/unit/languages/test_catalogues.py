@@ -177,14 +177,21 @@ def texts_of(tree: ast.AST) -> Iterator[str]:
 
 
 @cache
+def modules() -> tuple[tuple[Path, tuple[ast.AST, ...]], ...]:
+    """Return the modules of the package with the nodes of each."""
+    files = sorted(PACKAGE.rglob("*.py"))
+    return tuple((file, tuple(ast.walk(ast.parse(file.read_text(encoding="utf-8"))))) for file in files)
+
+
+@cache
 def said() -> tuple[tuple[str, str, set[str]], ...]:
     """Return where each message of the package is, its template, and the names of its values."""
     return tuple(_said())
 
 
 def _said() -> Iterator[tuple[str, str, set[str]]]:
-    for path in sorted(Path(ROOT, "src", "groundslab").rglob("*.py")):
-        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+    for path, nodes in modules():
+        for node in nodes:
             called = getattr(node.func, "id", "") if isinstance(node, ast.Call) else ""
             if isinstance(node, ast.Call) and called in ("Message", "counted"):
                 given = {keyword.arg or "" for keyword in node.keywords}
@@ -228,3 +235,34 @@ def test_each_text_has_a_translation() -> None:
 def is_lacking(key: str, known: Catalogue) -> bool:
     """Return whether a template has words and no translation."""
     return key not in known.whole and re.search(r"[a-z]{3}", HOLE.sub("", key)) is not None
+
+
+#: Templates that pages make of what items are called, as "{count} beams", "opening {name}" or "mirror {items}".
+OF_ITEMS = re.compile(r"\{count\} [a-z ]+|[a-z ]+ \{(?:name|items)\}")
+
+
+def test_each_template_is_asked_for() -> None:
+    """A template stands as it is in a source, as its key; only joined ones make longer texts, part by part."""
+    asked, put_together = sources()
+    templates = [key for key in messages("de") if re.search(r"[a-z]{3}", HOLE.sub("", key)) and HOLE.search(key)]
+    assert len(templates) > 700
+    left = [key for key in templates if spaced(key) not in asked and not OF_ITEMS.fullmatch(key)]
+    assert [key for key in left if not any(each.fullmatch(spaced(key)) for each in put_together)] == []
+
+
+def sources() -> tuple[str, list[re.Pattern[str]]]:
+    """Return all texts of the program and its pages, and patterns of those with other texts in them."""
+    nodes = [node for _, of_module in modules() for node in of_module]
+    texts = [node.value for node in nodes if isinstance(node, ast.Constant) and isinstance(node.value, str)]
+    for pattern in ("web/src/**/*.ts", "src/groundslab/**/templates/**/*.*"):
+        files = [file.read_text(encoding="utf-8") for file in ROOT.glob(pattern) if file.is_file()]
+        texts += [re.sub(r"[\"'`]\s*\+\s*[\"'`]", "", file).replace('\\"', '"') for file in files]
+    filled = [[part.value if isinstance(part, ast.Constant) else "\0" for part in node.values]
+              for node in nodes if isinstance(node, ast.JoinedStr)]  # fmt: skip
+    patterns = {re.escape(spaced("".join(map(str, parts)))).replace("\0", ".*") for parts in filled}
+    return "\n".join(map(spaced, texts)), [re.compile(each) for each in patterns if re.search("[a-z]{3}", each)]
+
+
+def spaced(text: str) -> str:
+    """Return a text with the names of its holes, each white space a single one."""
+    return re.sub(r"\s+", " ", re.sub(r"\{(\w*)[^{}]*\}", r"{\1}", text)).strip().lower()
