@@ -2,18 +2,21 @@
 
 from __future__ import annotations
 
+import ast
 import re
 
 import pytest
 
 from groundslab.model.combinations import list_combinations
 from groundslab.model.model import Model
-from groundslab.results.fields import PLATE_FIELDS, POINT_FIELDS
+from groundslab.results.fields import BAR_FIELDS, PLATE_FIELDS, POINT_FIELDS, RANGED_FIELDS
 from groundslab.results.results import Results
+from groundslab.study.definition.outputs import FIELDS as STUDIED
+from groundslab.views.plots.request import QUANTITIES as DRAWN
 from groundslab.views.tables.result_tables import tables_of
 from groundslab.views.tables.structure.cores import core_load_table, core_table
 from groundslab.views.tables.structure.walls import wall_limit_table
-from helpers.paths import DOCS
+from helpers.paths import DOCS, PACKAGE
 
 PAGE = (DOCS / "results.md").read_text(encoding="utf-8")
 ROW = re.compile(r"^\| ([^|]+?) \|(?: ([^|]*?) ?)?\| ", re.MULTILINE)
@@ -136,3 +139,35 @@ def test_columns_of_walls_that_punch_are_explained(code: str, heading: str) -> N
     (table,) = (each for each in tables if each.name == "wall_punching")
     own = explained(f"wall_punching{heading}")
     assert [(column.name, column.unit) for column in table.columns][-len(own) :] == own
+
+
+def names_of_checks() -> set[str]:
+    """Return what checks are called that give a verdict, in the sources; not those put together of several words."""
+    calls = (
+        node
+        for file in sorted((PACKAGE / "design").rglob("*.py"))
+        for node in ast.walk(ast.parse(file.read_text(encoding="utf-8")))
+        if isinstance(node, ast.Call) and getattr(node.func, "id", "") in ("DesignCheck", "not_judged") and node.args
+    )
+    texts = [[part.value for part in call.args[:2] if isinstance(part, ast.Constant)] for call in calls
+             if isinstance(call.args[0], ast.Constant)]  # fmt: skip
+    return {str(name) for name, *status in texts if status != ["not checked"]}
+
+
+def test_every_check_is_explained() -> None:
+    """A row of the table of checks, or of the one on floors, names each; a check that nobody knows helps nobody."""
+    rows = re.findall(r"^\| ([^|]+) \|", PAGE, re.MULTILINE)
+    explained = {re.sub(r" \(.*\)$", "", name) for row in rows for name in row.split(", ")}
+    names = names_of_checks() - {"floor"}  # without a combination, as what is unjudged says
+    assert len(names) > 20
+    assert sorted(name for name in names if not any(each.startswith(name) for each in explained)) == []
+
+
+def test_every_field_is_named_where_it_is_asked_for() -> None:
+    """The help of plot, the page on plots and the fields of studies have each nodal field."""
+    page = (DOCS / "plots.md").read_text(encoding="utf-8")
+    command = (PACKAGE / "cli" / "plot.py").read_text(encoding="utf-8")
+    for name in DRAWN:
+        assert re.search(rf"\b{name}\b", command), name
+        assert name in BAR_FIELDS or f"`{name}`" in page, name
+    assert {about.meaning for about in RANGED_FIELDS.values()} <= {about.meaning for about in STUDIED.values()}

@@ -6,6 +6,7 @@ import ast
 import re
 from collections import Counter
 from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -175,10 +176,22 @@ def texts_of(tree: ast.AST) -> Iterator[str]:
             yield from texts_of(node)
 
 
-def said() -> Iterator[tuple[str, str, set[str]]]:
-    """Yield where each message of the package is, its template, and the names of its values."""
-    for path in sorted(Path(ROOT, "src", "groundslab").rglob("*.py")):
-        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+@cache
+def modules() -> tuple[tuple[Path, tuple[ast.AST, ...]], ...]:
+    """Return the modules of the package with the nodes of each."""
+    files = sorted(PACKAGE.rglob("*.py"))
+    return tuple((file, tuple(ast.walk(ast.parse(file.read_text(encoding="utf-8"))))) for file in files)
+
+
+@cache
+def said() -> tuple[tuple[str, str, set[str]], ...]:
+    """Return where each message of the package is, its template, and the names of its values."""
+    return tuple(_said())
+
+
+def _said() -> Iterator[tuple[str, str, set[str]]]:
+    for path, nodes in modules():
+        for node in nodes:
             called = getattr(node.func, "id", "") if isinstance(node, ast.Call) else ""
             if isinstance(node, ast.Call) and called in ("Message", "counted"):
                 given = {keyword.arg or "" for keyword in node.keywords}
@@ -188,7 +201,7 @@ def said() -> Iterator[tuple[str, str, set[str]]]:
 
 def test_each_hole_has_a_value_and_a_known_unit() -> None:
     """In branches, too, that no test takes: no value is missing or for nothing, and none is left in SI units."""
-    templates = list(said())
+    templates = said()
     assert len(templates) > 400
     for where, template, given in templates:
         holes = [(name, spec) for _, name, spec in holes_of(template) if name is not None]
@@ -200,26 +213,56 @@ def test_each_hole_has_a_value_and_a_known_unit() -> None:
             assert spec == CAPITAL or written(1.5, spec, "US")
 
 
-def test_all_messages_have_a_translation() -> None:
-    """Those of the whole package but for commands that speak English alone, as the one that checks a file."""
-    known = messages("de")
-    without = {
+def test_each_text_has_a_translation() -> None:
+    """Messages of the whole package, but for commands that speak English alone, and labels that readers see.
+
+    All that lack one are told at once; what one catalogue has, every one has.
+    """
+    asked = Catalogue("de", messages("de"), unknown=[])
+    lacking = {
         key
         for where, template, _ in said()
-        if not where.startswith(("case.py", "propose_bars.py"))
-        and (key := key_of(template).strip()) not in known
-        and re.search(r"[a-z]{3}", HOLE.sub("", key))
+        if not where.startswith(("case.py", "propose_bars.py")) and is_lacking(key := key_of(template).strip(), asked)
     }
-    assert without == set()
-
-
-@pytest.mark.parametrize("language", OTHERS)
-def test_sources_have_no_message_without_translation(language: Language) -> None:
-    """Also labels, and those that no example shows."""
-    asked = Catalogue(language, messages(language), unknown=[])
     for text in made_messages():
         if HOLE.search(text):
-            assert text.strip() in asked.whole or not re.search(r"[a-z]{3}", HOLE.sub("", text)), text
+            lacking |= {text} if is_lacking(text.strip(), asked) else set()
         elif len(re.findall(r"[A-Za-z]{3,}", text)) > 1 and not NO_MESSAGE.search(text):
             asked(text)
-    assert sorted(set(asked.unknown or ())) == []
+    assert sorted(lacking.union(asked.unknown or ())) == []
+
+
+def is_lacking(key: str, known: Catalogue) -> bool:
+    """Return whether a template has words and no translation."""
+    return key not in known.whole and re.search(r"[a-z]{3}", HOLE.sub("", key)) is not None
+
+
+#: Templates that pages make of what items are called, as "{count} beams", "opening {name}" or "mirror {items}".
+OF_ITEMS = re.compile(r"\{count\} [a-z ]+|[a-z ]+ \{(?:name|items)\}")
+
+
+def test_each_template_is_asked_for() -> None:
+    """A template stands as it is in a source, as its key; only joined ones make longer texts, part by part."""
+    asked, put_together = sources()
+    templates = [key for key in messages("de") if re.search(r"[a-z]{3}", HOLE.sub("", key)) and HOLE.search(key)]
+    assert len(templates) > 700
+    left = [key for key in templates if spaced(key) not in asked and not OF_ITEMS.fullmatch(key)]
+    assert [key for key in left if not any(each.fullmatch(spaced(key)) for each in put_together)] == []
+
+
+def sources() -> tuple[str, list[re.Pattern[str]]]:
+    """Return all texts of the program and its pages, and patterns of those with other texts in them."""
+    nodes = [node for _, of_module in modules() for node in of_module]
+    texts = [node.value for node in nodes if isinstance(node, ast.Constant) and isinstance(node.value, str)]
+    for pattern in ("web/src/**/*.ts", "src/groundslab/**/templates/**/*.*"):
+        files = [file.read_text(encoding="utf-8") for file in ROOT.glob(pattern) if file.is_file()]
+        texts += [re.sub(r"[\"'`]\s*\+\s*[\"'`]", "", file).replace('\\"', '"') for file in files]
+    filled = [[part.value if isinstance(part, ast.Constant) else "\0" for part in node.values]
+              for node in nodes if isinstance(node, ast.JoinedStr)]  # fmt: skip
+    patterns = {re.escape(spaced("".join(map(str, parts)))).replace("\0", ".*") for parts in filled}
+    return "\n".join(map(spaced, texts)), [re.compile(each) for each in patterns if re.search("[a-z]{3}", each)]
+
+
+def spaced(text: str) -> str:
+    """Return a text with the names of its holes, each white space a single one."""
+    return re.sub(r"\s+", " ", re.sub(r"\{(\w*)[^{}]*\}", r"{\1}", text)).strip().lower()

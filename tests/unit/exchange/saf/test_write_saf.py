@@ -389,16 +389,27 @@ def numbers_of(part: object) -> list[tuple[str, float]]:
 
 
 def test_what_cannot_be_written_is_said(tmp_path: Path) -> None:
-    """Beams by their properties, piles, shrinkage, loads on the ground and plates' own edges are listed."""
+    """Beams by their properties and their keys, piles, shrinkage, loads on the ground, plates' own edges are listed."""
     model = gs.Model(
         plate=gs.Plate(length_x=8, length_y=6, thickness=0.3, E=30e9, nu=0.2, edges={"left": "clamped"}),
         ground=gs.Winkler(k=20e6),
-        beams=[Beam(name="steel", points=((0, 0), (2, 0)), section=GivenSection(second_moment=1e-4, shear_area=1e-3))],
+        beams=[
+            Beam(name="steel", points=((0, 0), (2, 0)), section=GivenSection(second_moment=1e-4, shear_area=1e-3)),
+            Beam(
+                name="soft",
+                points=((0, 1), (2, 1)),
+                section={"kind": "rectangle", "width": 0.3, "height": 0.5},
+                stiffness=0.5,
+                torsion="released",
+            ),
+            Beam(name="plain", points=((0, 2), (2, 2)), section={"kind": "rectangle", "width": 0.3, "height": 0.5}),
+        ],
         cases=[gs.LoadCase(name="G")],
         loads=[gs.UniformLoad(q=10e3, case="G"), gs.ShrinkageLoad(top=1e-4, case="G")],
     )
     left = write_model(model, tmp_path / "some.xlsx")
-    assert [line.partition(":")[0] for line in left] == ["beam steel", "plate edges", "load 2"]
+    assert [line.partition(":")[0] for line in left] == ["beam steel", "beam soft", "plate edges", "load 2"]
+    assert "beam soft: stiffness, torsion not written" in left
     (edge,) = gs.read_saf(tmp_path / "some.xlsx").model.supports
     assert edge == gs.LineSupport(name="Sle1", points=((-4, 3), (-4, -3)), rotation="fixed")
 

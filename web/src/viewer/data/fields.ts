@@ -64,7 +64,7 @@ const GROUPS: readonly (readonly [label: string, starts: RegExp])[] = [
   ["Deformation", /^(settlement|rotation)/],
   ["Contact", /^(pressure|line_force|gap|penetration)/],
   ["Moments and shear", /^(moment|shear)/],
-  ["Derived moments", /^(m_[12]|bottom|top)/],
+  ["Derived moments", new RegExp(`^(${DERIVED.map(({ name }) => name).join("|")})$`)],
   ["Reinforcement", /^(required|provided|utilization|missing)/],
   ["Analysis", /^/],
 ];

@@ -8,6 +8,7 @@ import {
   extremesOf,
   fieldsOf,
   fieldValueAt,
+  groupFields,
   isInContact,
   lineForceOf,
   nodalValues,
@@ -99,6 +100,9 @@ describe("fields of a scene", () => {
       "top_y",
     ]);
     expect(fieldsOf(scene).find((each) => each.name === "top_x")!.unit).toBe("kNm/m");
+    const groups = new Map(groupFields(fieldsOf(scene)));
+    expect([...groups.keys()]).toEqual(["Deformation", "Contact", "Moments and shear", "Derived moments"]);
+    expect(groups.get("Derived moments")!.every((each) => each.derived)).toBe(true);
   });
 
   it("have envelopes over certified combinations only, of a limit state or all", () => {

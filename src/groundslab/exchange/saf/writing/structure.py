@@ -15,7 +15,7 @@ from groundslab.model.loads.load_types import SelfWeight
 from groundslab.model.plate import Plate
 from groundslab.model.plates.other_plates import AnyPlate
 from groundslab.model.shapes import AnyShape, Circle
-from groundslab.model.structure.beams import LARGEST_BAR, Beam, GivenSection, RectangularSection
+from groundslab.model.structure.beams import Beam, GivenSection, RectangularSection
 from groundslab.model.structure.walls import Wall
 from groundslab.model.supports import LineSupport, PointSupport
 
@@ -27,6 +27,8 @@ HEIGHT = 3.0
 #: Shares of a soil zone outside of the plate that are rounding.
 NO_PART = 1e-9
 
+#: Keys of beams that ribs have, too.
+_OF_RIBS = ("name", "points", "at", "bulges", "shape", "section", "E", "nu")
 _WAYS = {"both ways": ("Rigid", "Flexible"), "in compression": ("Compression only", "Flexible compression only"),
          "in tension": ("Tension only", "Flexible tension only")}  # fmt: skip
 
@@ -223,10 +225,9 @@ def write_beams(
             **_curve(sheets, beam.edges, closed=False), geometricalshape=geometry, eccentricityez=0,
             shapeoftherib="T Symmetric", behaviourinanalysis="Standard", effectivewidth="Width", **_rib(sheets, beam),
         )  # fmt: skip
-        bars = beam.bar_axis, beam.bar_diameter
-        if "hinged" in beam.joined or beam.stiffness != 1 or bars != (None, LARGEST_BAR) or beam.torsion != "resisted":
-            left = "its hinges, share of stiffness, release of torsion and bars are not written"
-            sheets.leave(f"beam {beam.name}", left)
+        left = [key for key, value in beam if key not in _OF_RIBS and value != Beam.field_defaults[key]]
+        if left:
+            sheets.leave(f"beam {beam.name}", f"{', '.join(left)} not written")
 
 
 def _rib(sheets: Sheets, beam: Beam) -> dict[str, object]:
