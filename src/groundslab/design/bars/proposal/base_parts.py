@@ -79,11 +79,11 @@ def best_part(field: Field, bars: Bars, anchorage: float, least: tuple[int, int]
         block_lines(size, every, BLOCKS) for size, every in zip(saved.shape, (field.every, 1), strict=True)
     )
     before = np.pad(saved.cumsum(axis=0).cumsum(axis=1), ((1, 0), (1, 0)))
-    (i0, i1), (j0, j1) = (np.array(lines.ends())[..., None] for lines in (along, across))
-    j0, j1 = j0.T, j1.T
-    of_windows = before[i1, j1] - before[i0, j1] - before[i1, j0] + before[i0, j0]
+    (i0, i1), (j0, j1) = along.ends(), across.ends()
+    start, end = before[i0], before[i1]
+    of_windows = (end - start).take(j1, axis=1) - end.take(j0, axis=1) + start.take(j0, axis=1)
     best = np.unravel_index(int(np.argmax(of_windows)), of_windows.shape)
-    window = int(i0[best[0], 0]), int(i1[best[0], 0]), int(j0[0, best[1]]), int(j1[0, best[1]])
+    window = int(i0[best[0]]), int(i1[best[0]]), int(j0[best[1]]), int(j1[best[1]])
     cells = _with_anchorage(field, window, np.minimum(field.excess / area, 1.0) * anchorage)
     big_enough = cells is not None and cells[1] - cells[0] >= least[0] and cells[3] - cells[2] >= least[1]
     if cells is None or not big_enough or of_windows[best] <= 0:

@@ -13,6 +13,7 @@ of its own.
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -29,6 +30,8 @@ GROWTH, TRIALS, LEAST_PRICE = 1.4, 30, 1e-3
 Values = np.ndarray[Any, Any]
 #: What counts as rounding, in cells, and relative.
 IN_CELLS, ROUNDING = 1e-6, 1e-9
+#: No division costs less than the one found by more than this, relative: rounding at each cut, some 50 in a row.
+SURELY = 1e-6
 
 
 @dataclass(frozen=True)
@@ -89,8 +92,14 @@ class Zone:
     count: int
 
 
-def cover(field: Field, options: Options, most: int, price: float, blocks: int) -> list[Zone] | None:
-    """Return zones that cover what cells need, none over another; None if none can.
+def cover(
+    field: Field, options: Options, most: int, price: float, blocks: int, limit: float = math.inf
+) -> list[Zone] | None:
+    """Return zones that cover what cells need, none over another; None if none can, or all that can cost too much.
+
+    At a higher price zones are no more, so that the lowest price at which they are few enough is found by bisection:
+    at prices a < b, with zones of steel S and number N, S_a + a N_a <= S_b + a N_b and S_b + b N_b <= S_a + b N_a,
+    whose sum is (b - a) (N_b - N_a) <= 0.
 
     Parameters
     ----------
@@ -104,19 +113,30 @@ def cover(field: Field, options: Options, most: int, price: float, blocks: int) 
         What each zone costs besides its steel [m3].
     blocks : int
         Into how many blocks cells are put together along and across, at most.
+    limit : float
+        Zones are of no use if their steel and price together are so much [m3] or more.
     """
     if not field.excess.any():
         return []
     if most == 0 or not len(options.area):
         return None
     best = _zones_of_windows(field, options, blocks)
-    of_all = float(options.area.max() * field.area_before[-1, -1])
-    for _ in range(TRIALS):
-        zones = best.chosen(price)
-        if zones is None or sum(zone.count for zone in zones) <= most:
-            return zones
-        price = max(GROWTH * price, LEAST_PRICE * of_all)
-    return None
+    prices, of_all = [price], float(options.area.max() * field.area_before[-1, -1])
+    for _ in range(TRIALS - 1):
+        prices.append(max(GROWTH * prices[-1], LEAST_PRICE * of_all))
+    low, trial, few = 0, 0, None
+    high = len(prices)
+    while low < high:
+        zones, cost = best.chosen(prices[trial])
+        # zones that are few enough cost so much more at this price than at the first one, at most
+        if zones is None or cost * (1 - SURELY) - (prices[trial] - price) * most >= limit:
+            return None
+        if sum(zone.count for zone in zones) <= most:
+            high, few = trial, zones
+        else:
+            low = trial + 1
+        trial = (low + high) // 2
+    return few
 
 
 @dataclass(frozen=True, slots=True)
@@ -161,41 +181,88 @@ class _Windows:
     option: Integers
     cells: tuple[Integers, Integers, Integers, Integers]
 
-    def chosen(self, price: float) -> list[Zone] | None:
-        """Return the zones of the best division of all cells at a price [m3] for each; None if there is none."""
+    def chosen(self, price: float) -> tuple[list[Zone] | None, float]:
+        """Return the zones of the best division of all cells at a price [m3] for each, and its cost [m3].
+
+        None, and inf, if there is no division.
+        """
         along, across = self.pairs
-        cost = np.where(self.needed, self.steel + price * self.count, 0.0)
-        cuts = np.zeros(cost.shape, dtype=int)  # blocks before the cut: > 0 along, < 0 across, 0 none
-
-        def part(where: tuple[slice, slice], sum_of_parts: Array, cut: int) -> None:
-            better = sum_of_parts < cost[where] * (1 - ROUNDING)
-            cost[where][better], cuts[where][better] = sum_of_parts[better], cut
-
-        for m in range(1, along.blocks + 1):
-            rows, number = along.of(m), along.blocks - m + 1
-            for k in range(1, m):
-                parts = cost[along.of(k, 0, number)] + cost[along.of(m - k, k, number)]
-                part((rows, slice(None)), parts, k)
-            for w in range(2, across.blocks + 1):
-                columns, number_across = across.of(w), across.blocks - w + 1
-                for k in range(1, w):
-                    parts = cost[rows, across.of(k, 0, number_across)] + cost[rows, across.of(w - k, k, number_across)]
-                    part((rows, columns), parts, -k)
-        if not np.isfinite(cost[-1, -1]):
-            return None
-        zones, windows = list[Zone](), [(0, along.blocks, 0, across.blocks)]
-        while windows:
+        alone = np.where(self.needed, self.steel + price * self.count, 0.0)
+        least = _Least.of(alone, along, across)
+        all_blocks = 0, along.blocks, 0, across.blocks
+        cost = least.cost(all_blocks)
+        zones, windows = list[Zone](), [all_blocks]
+        while windows and np.isfinite(cost):
             i, m, j, w = windows.pop()
             at = along.of(m, i).start, across.of(w, j).start
-            cut = int(cuts[at])
-            if cut > 0:
-                windows += [(i, cut, j, w), (i + cut, m - cut, j, w)]
-            elif cut < 0:
-                windows += [(i, m, j, -cut), (i, m, j - cut, w + cut)]
-            elif self.needed[at]:
+            parts = least.parts((i, m, j, w), float(alone[at]))
+            windows += parts
+            if not parts and self.needed[at]:
                 i0, i1, j0, j1 = (int(cells[at]) for cells in self.cells)
                 zones.append(Zone((i0, i1, j0, j1), int(self.option[at]), float(self.steel[at]), int(self.count[at])))
-        return zones
+        return (zones, cost) if np.isfinite(cost) else (None, cost)
+
+
+#: A window by its first block along and how many, and by those across.
+_Blocks = tuple[int, int, int, int]
+
+
+@dataclass(frozen=True, slots=True)
+class _Least:
+    """The least costs [m3] of windows of m blocks along from block i: (m, i, q) over intervals across."""
+
+    across: Pairs
+    costs: Array
+
+    @classmethod
+    def of(cls, alone: Array, along: Pairs, across: Pairs) -> _Least:
+        """Return them from the costs of windows that are not cut (p, q), all cuts of those of one size at once."""
+        n = along.blocks
+        costs = np.empty((n + 1, n, alone.shape[1]))
+        by_end = np.empty((n + 1, n + 1, alone.shape[1]))  # so that the parts after all cuts are a slice, too
+        for m in range(1, n + 1):
+            number = n - m + 1
+            cost = alone[along.of(m)]
+            if m > 1:
+                cost = _cheaper(cost, costs[1:m, :number] + by_end[m - 1 : 0 : -1, m:])
+            costs[m, :number] = by_end[m, m:] = _cut_across(cost, across)
+        return cls(across, costs)
+
+    def cost(self, window: _Blocks) -> float:
+        """Return the least cost of a window."""
+        i, m, j, w = window
+        return float(self.costs[m, i, self.across.of(w, j).start])
+
+    def parts(self, window: _Blocks, alone: float) -> list[_Blocks]:
+        """Return the two parts of the best cut of a window that costs so much if not cut; none if that is best."""
+        i, m, j, w = window
+        cuts = [[(i, k, j, w), (i + k, m - k, j, w)] for k in range(1, m)]
+        cuts += [[(i, m, j, k), (i, m, j + k, w - k)] for k in range(1, w)]
+        best = list[_Blocks]()
+        for parts in cuts:
+            cost = sum(self.cost(part) for part in parts)
+            if cost < alone * (1 - ROUNDING):
+                alone, best = cost, parts
+        return best
+
+
+def _cut_across(cost: Array, across: Pairs) -> Array:
+    """Return the least costs (i, q) of windows of one length, from those that they have if not cut across."""
+    n, least = across.blocks, np.empty_like(cost)
+    by_start, by_end = (np.empty((n + 1, len(cost), n + 1)) for _ in range(2))
+    for w in range(1, n + 1):
+        columns, number = across.of(w), n - w + 1
+        of_width = cost[:, columns]
+        if w > 1:
+            of_width = _cheaper(of_width, by_start[1:w, :, :number] + by_end[w - 1 : 0 : -1, :, w:])
+        least[:, columns] = by_start[w, :, :number] = by_end[w, :, w:] = of_width
+    return least
+
+
+def _cheaper(cost: Array, of_cuts: Array) -> Array:
+    """Return costs, or the least of those of cuts (k, ...) where that is less."""
+    least = of_cuts.min(axis=0)
+    return np.where(least < cost * (1 - ROUNDING), least, cost)
 
 
 def block_lines(size: int, every: int, blocks: int) -> Pairs:
@@ -209,36 +276,44 @@ def _zones_of_windows(field: Field, options: Options, blocks: int) -> _Windows:
     """Return the best zone of each window by itself."""
     m, w = field.excess.shape
     along, across = block_lines(m, field.every, blocks), block_lines(w, 1, blocks)
-    share = field.excess[..., None] / options.area  # (m, w, o)
-    none = share <= 0
-    place, (start, end) = np.arange(m)[:, None, None], (side[..., None] for side in field.runs)
-    begin = np.where(none, m, np.maximum(place - share * options.anchorage, start))
-    after = np.where(none, 0, np.minimum(place + 1 + share * options.anchorage, end))
-    needed, column = field.excess > 0, np.arange(w)
+    (i0, i1), windows_across = along.ends(), across.ends()
+    every, folded, windows = field.every, field.folded, (i0[:, None], i1[:, None])
 
     def over(of: np.ufunc, values: Values) -> Values:
         in_rows = of.reduceat(values, along.lines[:-1], axis=0)
         in_blocks = of.reduceat(in_rows, across.lines[:-1], axis=1)
-        return np.swapaxes(across.over(of, np.swapaxes(along.over(of, in_blocks), 0, 1)), 0, 1)
+        return across.over(of, along.over(of, in_blocks).T).T
 
+    needed, column = field.excess > 0, np.arange(w)
     first, last = over(np.minimum, np.where(needed, column, w)), over(np.maximum, np.where(needed, column + 1, 0))
-    (i0, i1), (j0, j1) = along.ends(), across.ends()
-    every = field.every
-    low = np.floor((over(np.minimum, begin) + IN_CELLS) / every).astype(int) * every
-    high = np.ceil((over(np.maximum, after) - IN_CELLS) / every).astype(int) * every
-    rows, folded = (i0[:, None, None], i1[:, None, None]), field.folded
-    low, high, fits = _at_least(low, high, rows, options.least[0], every, m, folded=folded[0])
-    first, last, fits_across = _at_least(first, last, (j0, j1), options.least[1], 1, w, folded=folded[1])
-    enough = (over(np.maximum, share) <= 1 + ROUNDING) & fits & fits_across[..., None]
-    option = np.argmin(np.where(enough, options.area * (high - low), np.inf), axis=2)
-    chosen = (*np.ogrid[: len(i0), : len(j0)], option)
-    low, high = low[chosen], high[chosen]
+    first, last, fits_across = _at_least(first, last, windows_across, options.least[1], 1, w, folded=folded[1])
+    largest = over(np.maximum, field.excess)
+    least = np.full(largest.shape, np.inf)  # area times length of the bars
+    option, low, high = (np.zeros(least.shape, dtype=int) for _ in range(3))
+    for number, (area, anchorage) in enumerate(zip(options.area.tolist(), options.anchorage.tolist(), strict=True)):
+        begin, after = _developed_at(field, area, anchorage)
+        start = np.floor((over(np.minimum, begin) + IN_CELLS) / every).astype(int) * every
+        end = np.ceil((over(np.maximum, after) - IN_CELLS) / every).astype(int) * every
+        start, end, fits = _at_least(start, end, windows, options.least[0], every, m, folded=folded[0])
+        enough = (largest / area <= 1 + ROUNDING) & fits & fits_across
+        of_option = np.where(enough, area * (end - start), np.inf)
+        better = of_option < least
+        for best, value in ((least, of_option), (option, number), (low, start), (high, end)):
+            np.copyto(best, value, where=better)
     before = field.area_before
     low, high, first, last = (np.clip(side, 0, size) for side, size in ((low, m), (high, m), (first, w), (last, w)))
     covered = before[high, last] - before[low, last] - before[high, first] + before[low, first]
-    steel = np.where(enough[chosen], options.area[option] * covered, np.inf)
+    steel = np.where(np.isfinite(least), options.area[option] * covered, np.inf)
     count = (1 + (folded[0] & (low > 0))) * (1 + (folded[1] & (first > 0)))
     return _Windows((along, across), over(np.logical_or, needed), steel, count, option, (low, high, first, last))
+
+
+def _developed_at(field: Field, area: float, anchorage: float) -> tuple[Array, Array]:
+    """Return where bars (m, w) must begin and end at least along them, to be developed in cells that need them."""
+    share, place, (start, end) = field.excess / area, np.arange(len(field.excess))[:, None], field.runs
+    none = share <= 0
+    begin = np.where(none, len(share), np.maximum(place - share * anchorage, start))
+    return begin, np.where(none, 0, np.minimum(place + 1 + share * anchorage, end))
 
 
 def _at_least(

@@ -163,7 +163,11 @@ def propose_layer(task: LayerTask, steel: Reinforcement, rule: DetailingRule) ->
             if len(found) == number and candidate.lowest >= found[-1][0] * (1 - ROUNDING):
                 break
             parts = 0 if candidate.part is None else candidate.part.count(candidate.field)
-            zones = cover(candidate.field, candidate.options, most - parts, price, blocks) if parts <= most else None
+            if parts > most:
+                continue
+            without_zones = candidate.of_base + price * parts
+            limit = found[-1][0] - without_zones if len(found) == number else math.inf
+            zones = cover(candidate.field, candidate.options, most - parts, price, blocks, limit)
             if zones is not None:
                 cost = candidate.of_base + sum(zone.steel + price * zone.count for zone in zones) + price * parts
                 found = sorted([*found, (cost, candidate, zones)], key=lambda one: one[0])[:number]

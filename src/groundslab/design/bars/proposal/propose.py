@@ -109,8 +109,10 @@ def propose_in_layers(results: Results) -> BarProposal:
         more = _requirements(results, found)
         deeper = {layer: max(axes[layer], axis_of(found, layer)) for layer in LAYERS}
         if _enough(found, more, plate.nodes) and (_near(found, rule) or deeper == axes):
-            proposal = _proposal(results, found, more, [*remarks, *_remarks(results, rule), *for_links])
-            if with_fewer is not None or not (asked := needs_of_links(replace(results, model=proposal.model))).of:
+            laid = _laid(results, found)
+            proposal = _proposal(laid, found, more, [*remarks, *_remarks(results, rule), *for_links])
+            # what punches depends on bars, not on links: it is found once for both
+            if with_fewer is not None or not (asked := needs_of_links(laid)).of:
                 return proposal
             template = "bars at {names} are more than bending needs, so that links suffice there against punching"
             with_fewer, for_links = proposal, [Message(template, names=some(asked.of))]
@@ -343,12 +345,19 @@ def _with_bars(steel: Reinforcement, layers: dict[str, LayerProposal]) -> Reinfo
     return steel.model_copy(update=changes | cleared)
 
 
-def _proposal(results: Results, found: Reinforcement, needs: dict[str, Array], remarks: list[str]) -> BarProposal:
-    """Return the proposal with its steel."""
-    plate = ultimate_results(results)[0].plate
+def _laid(results: Results, found: Reinforcement) -> Results:
+    """Return results with the bars that were found, and with what the case allows as it is written."""
     steel = results.model.reinforcement
     assert steel is not None
-    model = results.model.model_copy(update={"reinforcement": found.replace(proposal=steel.proposal)})
+    changed = {"reinforcement": found.replace(proposal=steel.proposal)}
+    return replace(results, model=results.model.model_copy(update=changed))
+
+
+def _proposal(results: Results, found: Reinforcement, needs: dict[str, Array], remarks: list[str]) -> BarProposal:
+    """Return the proposal with its steel, from results with the bars that were found."""
+    plate, model = ultimate_results(results)[0].plate, results.model
+    steel = model.reinforcement
+    assert steel is not None
     region = get_plate_region(model.plate, model.plates)
     laid = {}
     for layer in LAYERS:
@@ -362,11 +371,7 @@ def _proposal(results: Results, found: Reinforcement, needs: dict[str, Array], r
     least = _least_areas(ultimate_results(results)[0], found)
     with_least = {layer: float((np.maximum(needs[layer], least[layer]) * plate.area).sum()) for layer in LAYERS}
     off = [check for check in model.checks.off if any(check.covers(name, check.of) for name in PUNCHING)]
-    links = [
-        layout
-        for layout in punching_links(replace(results, model=model))
-        if not any(check.of in ("", layout.name) for check in off)
-    ]
+    links = [layout for layout in punching_links(results) if not any(check.of in ("", layout.name) for check in off)]
     given = [
         PunchingLinks(
             of=layout.name,
@@ -377,7 +382,7 @@ def _proposal(results: Results, found: Reinforcement, needs: dict[str, Array], r
         for layout in links
         if layout.perimeters
     ]
-    along = list(beam_links(replace(results, model=model), found.proposal.link_diameters))
+    along = list(beam_links(results, found.proposal.link_diameters))
     remarks = remarks + [why for why in along if isinstance(why, Message)]
     of_beams = tuple(links for links in along if isinstance(links, BeamLinks))
     with_links = found.replace(links=tuple(given), beam_links=of_beams, proposal=steel.proposal)

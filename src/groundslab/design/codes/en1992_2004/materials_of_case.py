@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from groundslab.arrays import made_once
 from groundslab.design.codes.en1992_2004.annex import Annex, annex_of
 from groundslab.design.codes.en1992_2004.materials import Concrete, Steel
 from groundslab.design.codes.eurocode2.materials import strengths
@@ -54,8 +55,8 @@ def deviation(annex: Annex, exposure: str | None) -> float:
     return lower if exposure in (None, "XC1") else durable
 
 
-def largest_cover(steel: Reinforcement, face: str = "") -> float:
-    """Return the largest cover [m] of longitudinal bars at a face, bottom or top, or at any; their axis if none lie."""
-    layers = [layer for layer in LAYERS if layer.startswith(face)]
-    thinnest = {layer: min(bars.diameter for bars in bars_of(steel, layer)) if steel.laid else 0.0 for layer in layers}
-    return max(axis_of(steel, layer) - thinnest[layer] / 2 for layer in layers)
+@made_once
+def largest_cover(steel: Reinforcement) -> float:
+    """Return the largest cover [m] of longitudinal bars at both faces; their axis if none lie."""
+    thinnest = {layer: min(bars.diameter for bars in bars_of(steel, layer)) if steel.laid else 0.0 for layer in LAYERS}
+    return max(axis_of(steel, layer) - thinnest[layer] / 2 for layer in LAYERS)

@@ -168,7 +168,7 @@ def test_lever_arm_by_annex() -> None:
         links = shear.required_links(v, d, concrete(name), STEEL, cover)
         assert links.area == pytest.approx([50e3 / (z * 500e6 / 1.15 * links.cot_theta[0])])
     axes = Reinforcement(f_ck=30e6, f_yk=500e6, bottom=(0.05, 0.06), top=(0.04, 0.07))
-    assert (largest_cover(axes), largest_cover(axes, "bottom")) == (0.07, 0.06)
+    assert largest_cover(axes) == 0.07
     bars = dict.fromkeys(("bottom_x", "bottom_y", "top_x", "top_y"), Bars(diameter=0.012, spacing=0.15))
     assert largest_cover(axes.replace(**bars)) == pytest.approx(0.064)
 
