@@ -51,7 +51,7 @@ from groundslab.views.report.table_layout import (
     split_words,
     summarize_table,
 )
-from groundslab.views.scene.binary import LEVELS
+from groundslab.views.scene.binary import PART
 from groundslab.views.summary import sections
 from groundslab.views.summary.terminal import shown_row
 from groundslab.views.tables.result_tables import tables_of
@@ -381,7 +381,7 @@ class TestNumbers:
                 assert shown.place in cells
 
     def test_scene_holds_the_fields(self, plain: Results, root: Element) -> None:
-        """The viewer's data are those of the results to half a level of their range."""
+        """The viewer's data are those of the results to a share of their range that is no part of a color."""
         scene = unpack(gzip.decompress(base64.b64decode(root.one("script", id="scene").text)))
         assert scene.head["title"] == plain.model.title
         for reported in scene.head["combinations"][:2]:
@@ -389,7 +389,7 @@ class TestNumbers:
             for name in ("settlement", "pressure", "moment_x", "moment_xy", "shear_y"):
                 exact = getattr(plate, name) * PLATE_FIELDS[name].scale
                 error = np.abs(values_of(scene, reported["values"][name]) - exact).max()
-                assert error <= np.ptp(exact) / LEVELS * 0.5000001, name
+                assert error <= np.ptp(exact) / PART, name
 
     def test_the_viewer_gets_its_messages(self, plain: Results, root: Element, monkeypatch: pytest.MonkeyPatch) -> None:
         """In another language the page holds the viewer's own messages and those of its fields, and no others."""
