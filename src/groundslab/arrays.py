@@ -80,7 +80,7 @@ def made_once_by(objects: Callable[..., tuple[object, ...]]) -> Callable[[Made],
             of, *beside = objects(*args)
             store = derived_from(of)
             kept = store.get(make)
-            if kept is None or not all(map(_Companion.is_still, kept[0], beside)):
+            if kept is None or len(kept[0]) != len(beside) or not all(map(_Companion.is_still, kept[0], beside)):
                 kept = tuple(map(_Companion, beside)), make(*args)
                 store[make] = kept
             return kept[1]

@@ -88,6 +88,17 @@ def test_another_companion_makes_another_value() -> None:
     assert by_object(nodes, None, "none") == "none"
 
 
+def test_a_companion_that_is_left_out_makes_another_value() -> None:
+    """A call without a companion has no value of one with it, nor the other way around."""
+
+    @made_once
+    def count(_: Array, *beside: object) -> int:
+        return len(beside)
+
+    nodes, elements = np.ones(2), np.ones(3)
+    assert [count(nodes, elements), count(nodes), count(nodes, elements)] == [1, 0, 1]
+
+
 @pytest.mark.parametrize("code", ["EN 1992-1-1", "ACI 318"])
 def test_all_that_is_derived_of_results_is_forgotten_with_them(code: str) -> None:
     """Solved, designed, summed up and forgotten: no value holds what it was derived from, which would live forever."""
