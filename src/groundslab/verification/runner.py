@@ -44,6 +44,8 @@ if TYPE_CHECKING:
 
 #: A deviation that a case explains may change by this much before the row fails, in points of per cent.
 DRIFT = 0.3
+#: Rounding of a solution, over its value.
+ROUNDING = 1e-11
 #: Relative change of a row's pinned value at which it fails, on a grid of elements and on a mesh that a mesher made,
 #: whose versions differ.
 PINNED, PINNED_MESHED = 1e-5, 5e-3
@@ -349,7 +351,9 @@ def _tolerance(row: Mapping[str, Any], published: str) -> float:
     stated = row["tolerance"]
     if stated == "digits":
         mantissa, _, exponent = published.lower().partition("e")
-        return 0.5 * 10.0 ** (int(exponent or 0) - len(mantissa.partition(".")[2])) * (1 + 1e-9)
+        half = 0.5 * 10.0 ** (int(exponent or 0) - len(mantissa.partition(".")[2]))
+        # a value may lie halfway between two such numbers, but for the rounding of its solution
+        return half + ROUNDING * abs(float(published))
     number, _, unit = stated.partition(" ")
     return float(number) / 100 * abs(float(published)) if unit == "%" else float(number)
 
