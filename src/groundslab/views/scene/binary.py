@@ -23,6 +23,8 @@ TYPES = {"u8": "<u1", "u16": "<u2", "u32": "<u4", "i32": "<i4", "f32": "<f4"}
 LEVELS = 2**16 - 1
 #: A field that is told as a sum is right to one part of so many of its range.
 PART = 2**12
+#: A field whose range is at most such a share of its values is put by itself.
+FLAT = 1e-6
 #: Least step between levels, so that no range is too small to be divided.
 SMALLEST = 1e-300
 _LENGTH = struct.Struct("<I")
@@ -84,9 +86,16 @@ def put_fields(blocks: Blocks, fields: Array) -> list[dict[str, Any]]:
     fields that they are sums of are the leading ones of a proper orthogonal decomposition, each quantized as finely as
     its share asks for: no value is off by more than 1 / PART of the range of its combination.
     """
+    flat = np.ptp(fields, axis=1) <= FLAT * np.abs(fields).max(axis=1, initial=0.0)
+    together = iter(_put_sums(blocks, fields[~flat]))
+    return [blocks.put_range(values) if alone else next(together) for values, alone in zip(fields, flat, strict=True)]
+
+
+def _put_sums(blocks: Blocks, fields: Array) -> list[dict[str, Any]]:
+    """Put fields none of which is flat; return the block of each, or its sum of blocks."""
     if len(fields) < 2:
         return [blocks.put_range(values) for values in fields]
-    ranges = np.maximum(np.ptp(fields, axis=1), SMALLEST)
+    ranges = np.ptp(fields, axis=1)
     scaled = fields / ranges[:, None]
     _, directions = np.linalg.eigh(scaled @ scaled.T)
     factors = directions[:, ::-1]  # the largest first

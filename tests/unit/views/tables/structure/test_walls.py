@@ -39,8 +39,9 @@ def model(**changes: object) -> Model:
     return Model(**parts | changes)
 
 
-def test_parts_of_the_table_on_paper_say_which_wall() -> None:
+def test_parts_of_the_table_on_paper_say_which_wall(monkeypatch: pytest.MonkeyPatch) -> None:
     """Where it is cut, each part begins with combination and wall."""
+    monkeypatch.setattr("groundslab.views.report.table_layout.MOST_COLUMNS", 8)
     table = wall_table(solve(model()))
     parts = split_columns(layout_table(table), keys_of(table))
     assert len(parts) > 1
