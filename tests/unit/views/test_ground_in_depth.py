@@ -172,7 +172,7 @@ def test_settlement_and_stress_below_points_are_a_table(bonded: Results) -> None
     assert table["vertical stress sigma_z"][0] == pytest.approx(cells.force[own] / 0.25**2 / 1e3)
 
 
-def test_between_boreholes_stresses_are_known_but_not_settlements(stressed: Results) -> None:
+def test_where_layers_differ_stresses_are_known_but_not_settlements(stressed: Results) -> None:
     """Boussinesq's stresses do not depend on the layers; the table leaves the settlements out and says why."""
     ground = stressed.ground
     with pytest.raises(InputError, match="from place to place"):
@@ -183,7 +183,7 @@ def test_between_boreholes_stresses_are_known_but_not_settlements(stressed: Resu
     assert ground.stress_at(0.7, 0.3, far) == pytest.approx(stress, rel=0.01)
     table = {each.name: each for each in groundslab.tables_of(stressed)}["soil"]
     assert set(table["settlement w"]) == {None}
-    assert "between boreholes" in table.notes[-1]
+    assert "where layers differ from place to place" in table.notes[-1]
 
 
 def test_loads_beside_the_plate_press_on_the_ground_too() -> None:
