@@ -138,6 +138,8 @@ def run_bars(options: argparse.Namespace) -> int:
     for target in targets:
         bars.write_bars(results, target)
         print_stderr(f"wrote {target}")
+        if target.suffix.lower() == bars.RECORDS:
+            print_stderr("note: records are of straight and U-shaped bars alone, not of meshes and links")
     return EXIT_OK
 
 

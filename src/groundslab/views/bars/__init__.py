@@ -43,7 +43,8 @@ def write_bars(of: Model | Results | CombinationResult, path: str | Path) -> Pat
     Raises
     ------
     InputError
-        If no bars are laid, if the file cannot be written, or if ezdxf is missing (extra `dxf`).
+        If no bars are laid, or for records meshes alone, if the file cannot be written, or if ezdxf is missing (extra
+        `dxf`).
 
     Examples
     --------
@@ -56,7 +57,9 @@ def write_bars(of: Model | Results | CombinationResult, path: str | Path) -> Pat
         hint = "give bottom_x, bottom_y, top_x and top_y, or bottom_mesh and top_mesh, in [reinforcement]"
         raise InputError([Issue("reinforcement", "no bars provided", "bars in all four layers", hint)])
     if target.suffix.lower() == RECORDS:
-        export.write_file(path, target, to_bvbs(model).encode("ascii"))
+        if not (records := to_bvbs(model)):
+            raise InputError([Issue("reinforcement", "welded meshes alone", "bars, which records of BVBS are of")])
+        export.write_file(path, target, records.encode("ascii"))
         return Path(path)
     shapes = draw(model, punching_links(of) if isinstance(of, Results) else ())
     if export.is_drawing(path):

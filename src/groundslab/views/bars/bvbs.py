@@ -67,7 +67,7 @@ def _record(model: Model, position: Position, mark: str, length: int, number: in
     assert steel is not None
     about = {
         "j": _plain((project.number or project.name) if project else ""),
-        "r": _plain(project.part if project else ""),
+        "r": "",  # drawings have no numbers here
         "i": _plain(project.revision if project else ""),
         "p": mark,
         "l": f"{length}",

@@ -259,7 +259,7 @@ def _calculations(combined: Results, tables: Sequence[Table], *, short: bool) ->
         if table.name == "calculations":
             yield from map(Paragraph, table.notes)
             sheets = draw_sheets(combined, table)
-            yield from governing_sheets(sheets) if short else sheets
+            yield from governing_sheets(sheets, check_design(combined).checks) if short else sheets
 
 
 def _first_alone(drawn: tuple[drawings.Drawing, ...]) -> tuple[Figures, Figures]:

@@ -4,14 +4,17 @@ from __future__ import annotations
 
 import re
 from dataclasses import replace
+from math import inf
 from typing import TYPE_CHECKING
 
+from groundslab.design.rules.check import severity
 from groundslab.views.report.document import Part
-from groundslab.views.report.table_layout import drop_empty_columns, is_long
+from groundslab.views.report.table_layout import drop_empty_columns
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
+    from groundslab.design.rules.check import DesignCheck
     from groundslab.model.outputs import Chapter
     from groundslab.views.report.calculations import Sheet
     from groundslab.views.report.input_tables import InputTable
@@ -37,8 +40,8 @@ def shorten_tables(tables: Sequence[Table]) -> Iterator[Table]:
     """Yield the tables of a short report in its order; that of extremes of columns with its ultimate rows alone."""
     by_name = {table.name: table for table in tables}
     for name in TABLES:
-        if name in by_name and not is_long(table := by_name[name]):
-            yield _ultimate_rows(table) if name == "column_envelope" else table
+        if name in by_name:
+            yield _ultimate_rows(by_name[name]) if name == "column_envelope" else by_name[name]
 
 
 def _ultimate_rows(table: Table) -> Table:
@@ -49,15 +52,20 @@ def _ultimate_rows(table: Table) -> Table:
     return replace(table, columns=columns)
 
 
-def governing_sheets(sheets: Sequence[Sheet]) -> list[Sheet]:
-    """Return of the calculations of each kind the one that ends with the largest value: a share used, or an area.
+def governing_sheets(sheets: Sequence[Sheet], checks: Sequence[DesignCheck]) -> list[Sheet]:
+    """Return of the calculations of each kind that of the check that ends worst, of one check that with the most.
 
-    Checks of single layers of bars are of one kind.
+    Checks of single layers of bars are of one kind. What comes out at the end is a share used, or an area.
     """
+    ends = {check.name: (severity(check.status), check.utilization or 0.0) for check in checks}
+
+    def rank(sheet: Sheet) -> tuple[float, ...]:
+        return (*ends.get(sheet.check, (-inf, 0.0)), sheet.last)
+
     governing: dict[str, Sheet] = {}
     for sheet in sheets:
         kind = _LAYER.sub("", sheet.check)
-        if kind not in governing or sheet.last > governing[kind].last:
+        if kind not in governing or rank(sheet) > rank(governing[kind]):
             governing[kind] = sheet
     return list(governing.values())
 

@@ -87,8 +87,10 @@ def put_fields(blocks: Blocks, fields: Array) -> list[dict[str, Any]]:
     its share asks for: no value is off by more than 1 / PART of the range of its combination.
     """
     flat = np.ptp(fields, axis=1) <= FLAT * np.abs(fields).max(axis=1, initial=0.0)
-    together = iter(_put_sums(blocks, fields[~flat]))
-    return [blocks.put_range(values) if alone else next(together) for values, alone in zip(fields, flat, strict=True)]
+    # what is nothing, such as the pressure where the plate lifts off, would be a little in a sum
+    apart = flat | (fields == 0).any(axis=1)
+    together = iter(_put_sums(blocks, fields[~apart]))
+    return [blocks.put_range(values) if alone else next(together) for values, alone in zip(fields, apart, strict=True)]
 
 
 def _put_sums(blocks: Blocks, fields: Array) -> list[dict[str, Any]]:

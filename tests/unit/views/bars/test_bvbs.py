@@ -35,7 +35,7 @@ def test_straight_bars() -> None:
     assert len(records) == len(listed) == 4
     for record, position in zip(records, listed, strict=True):
         *about, mark, length, number, mass, diameter, steel, mandrel, leg, angle, _ = blocks(record)
-        assert (about, steel) == (["BF2D", "HjHalle Sud", "rBodenplatte", "iB"], "g500")
+        assert (about, steel) == (["BF2D", "HjHalle Sud", "r", "iB"], "g500")
         millimeters = round(float(position.lengths[0]) * 1000)
         assert (mark, length, leg, angle) == (f"p{position.mark}", f"l{millimeters}", f"Gl{millimeters}", "w0")
         assert number == f"n{len(position.lengths)}"
@@ -68,6 +68,15 @@ def test_mandrels() -> None:
     found = [least_mandrel(size, "ACI 318") for size in (0.0254, 0.0358, 0.043)]
     assert found == pytest.approx([6 * 0.0254, 8 * 0.0358, 10 * 0.043])
     assert least_mandrel(0.02, "EN 1992-1-1:2023") is None
+
+
+def test_meshes_alone_have_no_records(tmp_path: Path) -> None:
+    """Meshes are delivered as sheets; a file without a record is not written."""
+    meshes = dict.fromkeys(("bottom_x", "bottom_y", "top_x", "top_y"))
+    slab = model_of(**meshes, bottom_mesh="Q335A", top_mesh="Q335A")
+    with pytest.raises(InputError, match="welded meshes alone"):
+        groundslab.write_bars(slab, tmp_path / "bars.abs")
+    assert not (tmp_path / "bars.abs").exists()
 
 
 def test_only_records_are_replaced(tmp_path: Path) -> None:

@@ -10,6 +10,7 @@ from tests.helpers.paths import EXAMPLES
 
 from groundslab.analysis.driver import solve
 from groundslab.case.casefile import load
+from groundslab.design.rules.check import DesignCheck
 from groundslab.model.outputs import CHAPTERS
 from groundslab.results.results import Results
 from groundslab.views.report.calculations import Sheet
@@ -66,7 +67,15 @@ def test_layers_are_of_one_kind() -> None:
         return Sheet(check, check, (), last)
 
     sheets = [sheet("crack width at the top x", 0.5), sheet("uplift", 0.1), sheet("crack width at the bottom y", 0.9)]
-    assert governing_sheets(sheets) == [sheets[2], sheets[1]]
+    assert governing_sheets(sheets, ()) == [sheets[2], sheets[1]]
+
+
+def test_what_fails_is_followed() -> None:
+    """The layer whose check fails stands before one whose calculation ends with a larger number."""
+    names = ("crack width at the top x", "crack width at the bottom y")
+    sheets = [Sheet(name, name, (), last) for name, last in zip(names, (0.5, 0.9), strict=True)]
+    checks = [DesignCheck(name, status, "") for name, status in zip(names, ("fails", "attention"), strict=True)]
+    assert governing_sheets(sheets, checks) == sheets[:1]
 
 
 def test_open_checks_keep_their_reasons(both: tuple[Report, Report]) -> None:

@@ -183,6 +183,11 @@ class TestScene:
         assert len(blocks.data) <= 3 * 2 * 4000
         for block, exact in zip(put, sums, strict=True):
             assert np.abs(values_of(scene, block) - exact).max() <= np.ptp(exact) / PART
+        lifted = np.maximum(np.array([first, second, first + second, 2 * first + second]), 0.0)
+        blocks = Blocks()
+        put = put_fields(blocks, lifted)
+        for block, exact in zip(put, lifted, strict=True):
+            assert np.array_equal(values_of(Scene({}, blocks.data), block) == 0, exact <= np.ptp(exact) / LEVELS / 2)
         apart = rng.normal(size=(3, 4000))
         blocks = Blocks()
         put = put_fields(blocks, apart)

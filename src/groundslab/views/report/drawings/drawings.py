@@ -171,7 +171,7 @@ def _draw_strips(combined: Results) -> Iterator[Drawing]:
             "Along the strips {names}: mean moment m, and bars A_s along the strip that its mean design moments need, "
             "those at the bottom positive, downwards, over the ultimate combinations."
         )
-        caption = Message(template, names=joined(curves.name for curves in part))
+        caption = Message(template, names=joined(Name(curves.name) for curves in part))
         draw = partial(strips.draw_strips, combined.model, part)
         units, translate = combined.model.units, translator_of(combined)
         yield Drawing(to_inline_svg(draw, f"strips{number}", caption, units=units, translate=translate), caption)
