@@ -25,6 +25,8 @@ LEVELS = 2**16 - 1
 PART = 2**12
 #: A field whose range is at most such a share of its values is put by itself.
 FLAT = 1e-6
+#: So is one that is exactly 0 at more of the places than this share.
+NOWHERE = 0.01
 #: Least step between levels, so that no range is too small to be divided.
 SMALLEST = 1e-300
 _LENGTH = struct.Struct("<I")
@@ -88,7 +90,7 @@ def put_fields(blocks: Blocks, fields: Array) -> list[dict[str, Any]]:
     """
     flat = np.ptp(fields, axis=1) <= FLAT * np.abs(fields).max(axis=1, initial=0.0)
     # what is nothing, such as the pressure where the plate lifts off, would be a little in a sum
-    apart = flat | (fields == 0).any(axis=1)
+    apart = flat | ((fields == 0).mean(axis=1) > NOWHERE)
     together = iter(_put_sums(blocks, fields[~apart]))
     return [blocks.put_range(values) if alone else next(together) for values, alone in zip(fields, apart, strict=True)]
 
