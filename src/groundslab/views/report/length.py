@@ -7,7 +7,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from groundslab.views.report.document import Part
-from groundslab.views.report.table_layout import drop_empty_columns, is_long
+from groundslab.views.report.table_layout import drop_empty_columns
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
@@ -34,10 +34,14 @@ _LAYER = re.compile(" at the (bottom|top) [xy]$")
 
 
 def shorten_tables(tables: Sequence[Table]) -> Iterator[Table]:
-    """Yield the tables of a short report in its order; that of extremes of columns with its ultimate rows alone."""
+    """Yield the tables of a short report in its order, of extremes of columns the ultimate rows alone.
+
+    Of those that are too long for the text it says where they are, as the full one does.
+    """
     by_name = {table.name: table for table in tables}
     for name in TABLES:
-        if name in by_name and not is_long(table := by_name[name]):
+        if name in by_name:
+            table = by_name[name]
             yield _ultimate_rows(table) if name == "column_envelope" else table
 
 

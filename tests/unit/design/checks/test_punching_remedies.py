@@ -74,9 +74,7 @@ def test_bars_are_no_remedy_where_struts_fail_too() -> None:
     assert V * (1 - 0.6**2 / 16) / (4 * 0.6 * d) > 3.6
     found = checks(solve_once(pad(3010e3, side=0.6, width=4.0, spacing=0.3)))
     around, face = found[WITHIN], found["punching at the column's face"]
-    assert around.demand is not None and around.resistance is not None
-    assert face.demand is not None and face.resistance is not None
-    assert around.demand / around.resistance > face.demand / face.resistance > 1
+    assert (around.utilization or 0) > (face.utilization or 0) > 1
     for check in (around, face):
         assert check.status == "fails"
         assert "bars in tension" not in str(check.words)
