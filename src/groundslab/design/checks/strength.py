@@ -150,7 +150,9 @@ def _pit_walls(steel: Reinforcement, needs: list[pit_walls.PitWallNeed]) -> Iter
         '{moment:.4g kNm/m} at {place:.3f m} in "{combination}" bend its walls, {wall:g m} thick',
         moment=worst.design_moment / 1e3, place=worst.place, combination=Name(worst.combination), wall=worst.wall,
     )  # fmt: skip
-    if weak:
+    if worst.d <= 0:
+        words = joined((words, "they are thinner than their bars lie deep"), "; ")
+    elif weak:
         words = joined((words, "their concrete is too weak for any reinforcement"), "; ")
     else:
         words += Message(": {area:.3g cm2/m} of bars upright at either face", area=worst.area * 1e4)

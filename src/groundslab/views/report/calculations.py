@@ -60,6 +60,7 @@ class Sheet:
     lines: tuple[Line, ...]
     last: float  # what comes out at its end
     sketch: Drawing | None = None
+    of: str = ""  # what is checked, such as a layer of bars and its section
     block: ClassVar = "sheet"
 
 
@@ -100,7 +101,8 @@ def build_sheets(table: Table, units: System) -> dict[tuple[str, str, str], Shee
         check, of, combination = map(str, about)
         check_name = Message("{check:capital}", check=check)
         named = [check_name, of if about[1] else "", Name(combination) if about[2] else ""]
-        sheets[check, of, combination] = Sheet(check, joined(filter(None, (*named, *where))), tuple(lines), last)
+        title = joined(filter(None, (*named, *where)))
+        sheets[check, of, combination] = Sheet(check, title, tuple(lines), last, of=of)
     return sheets
 
 

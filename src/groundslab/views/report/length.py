@@ -37,7 +37,10 @@ _LAYER = re.compile(" at the (bottom|top) [xy]$")
 
 
 def shorten_tables(tables: Sequence[Table]) -> Iterator[Table]:
-    """Yield the tables of a short report in its order; that of extremes of columns with its ultimate rows alone."""
+    """Yield the tables of a short report in its order, of extremes of columns the ultimate rows alone.
+
+    Of those that are too long for the text it says where they are, as the full one does.
+    """
     by_name = {table.name: table for table in tables}
     for name in TABLES:
         if name in by_name:
@@ -55,12 +58,14 @@ def _ultimate_rows(table: Table) -> Table:
 def governing_sheets(sheets: Sequence[Sheet], checks: Sequence[DesignCheck]) -> list[Sheet]:
     """Return of the calculations of each kind that of the check that ends worst, of one check that with the most.
 
-    Checks of single layers of bars are of one kind. What comes out at the end is a share used, or an area.
+    Checks of single layers of bars are of one kind. What comes out at the end is a share used, or an area: of bending
+    the layer of which most is used governs, where bars are laid.
     """
     ends = {check.name: (severity(check.status), check.utilization or 0.0) for check in checks}
 
     def rank(sheet: Sheet) -> tuple[float, ...]:
-        return (*ends.get(sheet.check, (-inf, 0.0)), sheet.last)
+        laid = f"bars at the {sheet.of.partition(',')[0]}" if sheet.check == "bending" else sheet.check
+        return (*ends.get(laid, (-inf, 0.0)), sheet.last)
 
     governing: dict[str, Sheet] = {}
     for sheet in sheets:

@@ -86,8 +86,10 @@ def test_walls_of_pits_are_never_green() -> None:
     checks = {check.name: check for check in check_design(solve_once(disc())).checks}
     assert checks["walls of pits"].status == "attention"
     assert "pressure of earth and water" in checks["walls of pits"].words
-    thin = {check.name: check for check in check_design(solve_once(disc(wall=0.07))).checks}
+    thin = {check.name: check for check in check_design(solve_once(disc(wall=0.04))).checks}
     assert thin["walls of pits"].status == "fails"
+    assert "thinner than their bars lie deep" in thin["walls of pits"].words
+    assert "concrete is too weak" not in thin["walls of pits"].words
     assert check_design(solve_once(disc(wall=0.07))).status == "fails"
 
 

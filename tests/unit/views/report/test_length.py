@@ -18,7 +18,9 @@ from groundslab.views.report.content import build_report
 from groundslab.views.report.document import Part, Report
 from groundslab.views.report.html import render_report
 from groundslab.views.report.length import CHAPTERS as SHORT
-from groundslab.views.report.length import governing_sheets
+from groundslab.views.report.length import governing_sheets, shorten_tables
+from groundslab.views.report.table_layout import is_long
+from groundslab.views.tables.table import Column, Table
 
 
 @pytest.fixture(scope="module")
@@ -76,6 +78,9 @@ def test_what_fails_is_followed() -> None:
     sheets = [Sheet(name, name, (), last) for name, last in zip(names, (0.5, 0.9), strict=True)]
     checks = [DesignCheck(name, status, "") for name, status in zip(names, ("fails", "attention"), strict=True)]
     assert governing_sheets(sheets, checks) == sheets[:1]
+    bending = [Sheet("bending", of, (), area, of=of) for of, area in (("top x, plate", 5.0), ("bottom y, plate", 60.0))]
+    used = [DesignCheck("bars at the top x", "fails", ""), DesignCheck("bars at the bottom y", "no failure found", "")]
+    assert governing_sheets(bending, used) == bending[:1]
 
 
 def test_open_checks_keep_their_reasons(both: tuple[Report, Report]) -> None:
@@ -98,6 +103,15 @@ def test_tables(both: tuple[Report, Report]) -> None:
         {block.name: block for block in blocks_of(report, "tables") if isinstance(block, Part)} for report in both
     )
     assert {"table-combinations", "table-reinforcement"} <= set(short) < set(full)
+
+
+def test_no_table_that_it_has_is_left_out_for_its_length() -> None:
+    """Of a long one the short report says where it is."""
+    states = tuple(f"load {number}" for number in range(100))
+    column = Column("load", "", states)
+    long = Table("shear_reinforcement", "Shear reinforcement", (column,), ())
+    assert is_long(long)
+    assert list(shorten_tables([long])) == [long]
 
 
 def test_the_case_decides(raft: Results) -> None:

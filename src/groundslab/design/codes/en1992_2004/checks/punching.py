@@ -284,7 +284,8 @@ def _remedy(steel: Reinforcement, demand: Demand, *, at_face: bool) -> str:
     """
     beyond = partial(beyond_links, steel, at_face=at_face)
     around = _beyond_around(steel, demand, at_face=at_face)
-    ratio = _ratio_for_links(steel, demand, around) if steel.laid and around >= beyond(demand) else None
+    struts_fail = at_face and _beyond_face(steel, demand) > 1
+    ratio = _ratio_for_links(steel, demand, around) if steel.laid and not struts_fail else None
     if ratio is not None:
         return Message(
             "bars in tension of {ratio:.2g} % of the section along both axes, within 3 d beside it, would do",
