@@ -29,6 +29,7 @@ extensions = [
     "numpydoc",
     "sphinx_copybutton",
     "sphinx_design",  # tabs
+    "sphinx_remove_toctrees",
 ]
 exclude_patterns = ["_templates"]
 templates_path = ["_templates"]
@@ -39,6 +40,8 @@ html_static_path: list[str] = []
 html_show_copyright = False
 html_extra_path = ["groundslab.schema.json", "study.schema.json"]
 html_theme_options = {"top_of_page_buttons": []}
+# the theme writes the whole tree of pages on each of them, which takes most of a build; these stand on pages of lists
+remove_from_toctrees = ["api/*", "decisions/[0-9]*", "verification/[!i]*"]
 
 myst_heading_anchors = 4
 myst_enable_extensions = ["colon_fence", "deflist"]
