@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
+from groundslab.geometry.plan import DRAWN_CHORD
 from groundslab.messages import Message, Name
 from groundslab.results.contact_zone import goes_below_zero
 from groundslab.views.plots.panels import Panel, find_extremes
@@ -216,6 +217,8 @@ def place_labels(model: Model, panel: Panel, per_meter: float, *, numbered: bool
     boxes = [_bounding_box(np.array(column.ring().flat(np.inf)) * per_meter) for column in model.columns]
     for middle, half in boxes:
         placement.reserve(middle, half)
+    for line, wide in _lines_on_plan(model):
+        placement.reserve_line(line * per_meter, max(wide * per_meter / 2, 0.3))
     for word, value, (x, y), _ in extremes:
         words = say(Message("max {value:number}" if word == "largest" else "min {value:number}", value=value))
         half = text_width(words, SMALL - 0.5) / 2 + 0.5, 0.6 * SMALL * PT
@@ -235,6 +238,18 @@ def place_labels(model: Model, panel: Panel, per_meter: float, *, numbered: bool
             corners = [(x + i * inner[0], y + j * inner[1]) for i, j in INSIDE]
             labels.append(Label(words, placement.place_best(corners, size), FOOT + 0.5))
     return [*labels, *(_place_numbers(panel, per_meter, placement.taken, say) if numbered else ())]
+
+
+def _lines_on_plan(model: Model) -> Iterator[tuple[Array, float]]:
+    """Yield axes of walls and borders of openings (k, 2) [m], each with its width [m]."""
+    chord = DRAWN_CHORD * max(model.sides)
+    for wall in model.placed_walls:
+        for piece in wall.pieces:
+            yield np.array(piece.to_shapely(chord).coords), wall.thickness
+    for plate in model.every_plate:
+        for hole in plate.openings:
+            border = np.array(hole.ring().flat(chord))
+            yield np.vstack([border, border[:1]]), 0.0
 
 
 def zone_label(thickness: float, level: float | None) -> Message:

@@ -211,7 +211,7 @@ def _chapters(
             or [Paragraph(NOTHING, "bad")]
         ),
         "pictures": lambda: _pictures(combined, beside, beams=2 if short else 1),
-        "drawings": lambda: _first_alone(tuple(_drawings(combined, leading, short=short))),
+        "drawings": lambda: tuple(_drawings(combined, leading, short=short)),
         "loads": lambda: (
             Paragraph("Each load case by itself, values without factors."),
             Figures(tuple(drawings.draw_loads(model, combined.solved_model, translate)), beside),
@@ -260,11 +260,6 @@ def _calculations(combined: Results, tables: Sequence[Table], *, short: bool) ->
             yield from map(Paragraph, table.notes)
             sheets = draw_sheets(combined, table)
             yield from governing_sheets(sheets, check_design(combined).checks) if short else sheets
-
-
-def _first_alone(drawn: tuple[drawings.Drawing, ...]) -> tuple[Figures, Figures]:
-    """Return the first drawing as wide as the page, the others two beside each other."""
-    return Figures(drawn[:1]), Figures(drawn[1:], columns=2)
 
 
 def _pictures(combined: Results, beside: int, beams: int) -> Iterator[Block]:
@@ -459,16 +454,17 @@ def list_constants(entries: Sequence[Entry], units: System) -> TableLayout:
     return TableLayout("", (TableHeader("combination"), *heads), rows)
 
 
-def _drawings(combined: Results, leading: CombinationResult | None, *, short: bool) -> Iterator[drawings.Drawing]:
+def _drawings(combined: Results, leading: CombinationResult | None, *, short: bool) -> Iterator[Figures]:
     """Yield the plan of the case, in full the mesh, stresses in the ground if known, and the ground in section."""
-    yield drawings.draw_case(combined.model, combined.solved_model, translator_of(combined))
-    if leading is not None and not short:
-        yield drawings.draw_mesh_plan(leading)
-    soil = None if leading is None else drawings.draw_soil(leading)
-    if soil is None or leading is None:
+    yield Figures((drawings.draw_case(combined.model, combined.solved_model, translator_of(combined)),))
+    if leading is None:
         return
-    if (stress := drawings.draw_stress(leading)) is not None:
-        yield stress
+    soil = drawings.draw_soil(leading)
+    stress = None if soil is None else drawings.draw_stress(leading)
+    beside = [None if short else drawings.draw_mesh_plan(leading), stress]
+    yield Figures(tuple(drawing for drawing in beside if drawing is not None), columns=2)
+    if soil is None:
+        return
     notes = ["Ground below the plate, to scale in depth."]
     if leading.constants.gamma is not None:
         template = (
@@ -487,7 +483,7 @@ def _drawings(combined: Results, leading: CombinationResult | None, *, short: bo
         notes.append(
             Message("The first {drawn} of {count} columns are drawn.", drawn=drawings.MOST_COLUMNS, count=count)
         )
-    yield replace(soil, caption=joined(notes, " "))
+    yield Figures((replace(soil, caption=joined(notes, " ")),))
 
 
 def list_steps(entries: Sequence[Entry]) -> TableLayout:

@@ -75,6 +75,7 @@ class _Writer:
         self.language = language
         self.say = translate
         self.drawings: dict[str, bytes] = {}
+        self._shared: dict[str, str] = {}
 
     def of_report(self, report: Report, mark: str, remark: str) -> dict[str, Any]:
         """Return all of a report; what the screen alone has is left out."""
@@ -149,7 +150,8 @@ class _Writer:
     def _of_drawing(self, drawing: Drawing) -> dict[str, Any]:
         """Return the name of a drawing's file, and its caption."""
         name = f"{len(self.drawings)}.svg"
-        svg, label = standalone(drawing.svg)
+        self._shared |= {part[1]: part[0] for part in _SHARED.finditer(drawing.svg)}
+        svg, label = standalone(_USED.sub(lambda use: self._shared.get(use[1], use[0]), drawing.svg))
         self.drawings[name] = svg
         return {"file": name, "label": label, "caption": self._sentence(drawing.caption)}
 
@@ -207,6 +209,11 @@ class _Writer:
             "other": [self.say(line.other_value), raised(line.other_unit)] if line.other_unit else None,
             "clause": line.clause.replace("Table", self.say("Table")),
         }
+
+
+#: A part of a drawing that later drawings refer to, and where they do.
+_SHARED = re.compile(r'<g id="([\w-]+)"><svg .*?</svg></g>', re.DOTALL)
+_USED = re.compile(r'<use href="#([\w-]+)"/>')
 
 
 def _breakable(text: str, long: re.Pattern[str] = _NO_LINE) -> str:

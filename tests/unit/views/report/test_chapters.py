@@ -17,11 +17,11 @@ from groundslab.messages import joined
 from groundslab.model.combinations import as_solved
 from groundslab.model.model import Model
 from groundslab.results.results import Results
-from groundslab.units import UNITS
+from groundslab.units import UNITS, format_drawn
 from groundslab.views.files import results_folder
 from groundslab.views.report import content
 from groundslab.views.report.drawings import drawings
-from groundslab.views.report.drawings.load_plan import LoadPlan, load_text, plan_base
+from groundslab.views.report.drawings.load_plan import MOST_LISTED, LoadPlan, load_text, plan_base
 from groundslab.views.report.drawings.maps import _path_data
 from groundslab.views.report.html import render_report
 from groundslab.views.summary.combinations import Extreme
@@ -169,19 +169,42 @@ class TestLoads:
         assert (written.count("60 kN"), written.count("7 kN")) == (0, 1)
 
     def test_values_thin_out(self) -> None:
-        """Of very many loads those values are written that there is space for, and the others are counted."""
+        """Of very many loads those values are written that there is space for, others are listed, the rest counted."""
         loads = [{"kind": "point", "P": 1e3 + n, "x": -2.9 + 0.02 * n, "y": 0} for n in range(250)]
         (drawn,) = plans_of_loads(model(cases=[], loads=loads))
         many = model(cases=[], loads=loads)
-        (axes,) = LoadPlan(plan_base(many, as_solved(many)), None).draw().axes
-        written = [text.get_text() for text in axes.texts]
+        figure = LoadPlan(plan_base(many, as_solved(many)), None).draw()
+        (axes,) = figure.axes
+        written = {text.get_text() for text in axes.texts}
+        listed = {text.get_text() for text in figure.texts}
+        forces = {f"{1 + n / 1e3:.5g} kN": f"({format_drawn(-2.9 + 0.02 * n)}, 0) m" for n in range(250)}
         assert len(written) > 20
-        missing = len(loads) - len(written)
+        assert written < forces.keys()
+        assert len(listed) == MOST_LISTED
+        assert listed < {f"{place}: {force}" for force, place in forces.items() if force not in written}
+        missing = len(loads) - len(written) - MOST_LISTED
         assert drawn.caption == f"All loads. For {missing} values there is no space; the case lists all."
+
+    def test_values_farther_off_are_led_to(self) -> None:
+        """A value that stands far from its load has a line that ends there; one beside its load has none."""
+        close = [{"kind": "point", "P": 1e5 + 1e3 * n, "x": -0.9 + 0.3 * n, "y": 0} for n in range(7)]
+        slab = model(cases=[], loads=[*close, {"kind": "point", "P": 55e3, "x": 2.5, "y": 1.5}])
+        (axes,) = LoadPlan(plan_base(slab, as_solved(slab)), None).draw().axes
+        places = {text.get_text(): text.get_position() for text in axes.texts}
+        lines = [line.get_xydata() for line in axes.lines if len(line.get_xdata()) == 2]
+        ends = {tuple(np.round(end, 6)): start for start, end in lines}
+        led = {words: ends[key] for words, place in places.items() if (key := tuple(np.round(place, 6))) in ends}
+        assert led
+        assert "55 kN" not in led
+        for words, place in led.items():
+            assert place == pytest.approx((-0.9 + 0.3 * (float(words.split()[0]) - 100), 0.0), abs=1e-9)
 
     def test_one_value_without_space_is_one(self, monkeypatch: pytest.MonkeyPatch) -> None:
         """The caption says so."""
-        monkeypatch.setattr("groundslab.views.report.drawings.load_plan._place_values", lambda *_: ([], 1))
+        monkeypatch.setattr(
+            "groundslab.views.report.drawings.load_plan._place_values", lambda *_: ([], [((0.0, 0.0), "1 kN")])
+        )
+        monkeypatch.setattr("groundslab.views.report.drawings.load_plan.MOST_LISTED", 0)
         (drawn,) = plans_of_loads(model(cases=[], loads=[{"kind": "point", "P": 1e3, "x": 0, "y": 0}]))
         assert drawn.caption == "All loads. For one value there is no space; the case lists all."
 

@@ -17,6 +17,9 @@ from groundslab.errors import GroundslabError
 from groundslab.languages import Language
 from groundslab.results.results import results_of
 from groundslab.views.files import results_folder
+from groundslab.views.report.content import build_report
+from groundslab.views.report.document import Figures
+from groundslab.views.report.pdf import _Writer
 from helpers import synthetic
 from helpers.languages import in_language
 
@@ -45,6 +48,21 @@ def test_paper_is_that_of_the_units(given: dict[str, str], size: tuple[int, int]
     letter = synthetic.model().replace(report={"paper": "letter"})
     reader = PdfReader(groundslab.write_report(synthetic.results(model=letter), tmp_path / "b.pdf", chapters=["loads"]))
     assert round(reader.pages[0].mediabox.width) == 612
+
+
+def test_every_map_has_its_frame() -> None:
+    """On the page maps refer to what the first one has; on paper, where each is a file, each has it."""
+    results = results_of(synthetic.results())
+    writer = _Writer("en", str)
+    report = build_report(results, length="short", chapters=["pictures"])
+    blocks = [block for chapter in report.chapters for block in chapter.blocks]
+    drawings = [drawing for block in blocks if isinstance(block, Figures) for drawing in block.drawings]
+    for drawing in drawings:
+        writer._of_drawing(drawing)
+    assert len(drawings) > 1
+    assert "<use" in drawings[1].svg
+    assert [svg.count(b'id="frame-of-maps"') for svg in writer.drawings.values()] == [1] * len(drawings)
+    assert not any(b'<use href="#frame-of-maps"/>' in svg for svg in writer.drawings.values())
 
 
 def test_is_replaced_and_the_same(tmp_path: Path) -> None:

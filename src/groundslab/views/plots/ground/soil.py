@@ -131,16 +131,18 @@ def _own_constants(
 
 #: So much of a half-space is drawn, of the depth of the layers over it, or of the plate's longer side.
 ENDLESS = 0.25
-#: So many columns stand side by side.
-SIDE_BY_SIDE = 2
+#: So many columns stand side by side; those whose layers have no constants may stand closer.
+SIDE_BY_SIDE, CLOSE = 2, 3
+#: Marks of the depth are so far apart at least [mm].
+APART = 2.8
 #: Heights of the boxes of one row of columns, and of several rows [mm].
-HIGH, LOW = 90.0, 62.0
+HIGH, LOW = 90.0, 58.0
 #: Space for the depths, width of the column of layers, gap before a diagram [mm].
 LEFT, COLUMN, GAP = 13.0, 15.0, 3.5
 #: From row to row of a table, and where its columns end [mm].
 ROW = 3.9
 ENDS = (8.0, 20.0, 38.0, 49.0, 66.0, 84.0)
-ENDS_FOUND = (30.0, 44.0, 64.0, 84.0)
+ENDS_FOUND = (30.0, 39.0, 62.0, 84.0)
 #: How strongly the layers are filled, weakly enough for the words on them.
 OPACITIES = (0.14, 0.26, 0.08, 0.34)
 #: Of more combinations than this only the range is listed.
@@ -172,11 +174,13 @@ def draw_columns(
     """Return rows of columns, with a legend of combinations if they are named."""
     page = style.Page(style.PAGE_WIDTH, words_of(model))
     top = page.write_heading(title, heading)
+    close = not any(layer.k0 for column in columns for layer in column.layers)
+    across = min(len(columns), CLOSE if close else SIDE_BY_SIDE)
     high = HIGH if len(columns) <= SIDE_BY_SIDE else LOW
-    width = style.PAGE_WIDTH / min(len(columns), SIDE_BY_SIDE)
+    width = style.PAGE_WIDTH / across
     legend: dict[str, Any] = {}
     places = {hole.name or f"borehole {n}": (hole.x, hole.y) for n, hole in enumerate(model.boreholes, 1)}
-    for row in style.batch(columns, SIDE_BY_SIDE):
+    for row in style.batch(columns, across):
         bottoms = []
         for place, column in enumerate(row):
             left = place * width
@@ -206,7 +210,7 @@ def _draw_column(
     depth = deepest if to_scale else float(len(column.layers))
     band = COLUMN * wide * SIDE_BY_SIDE / style.PAGE_WIDTH
     axes = page.add_axes(left + LEFT, top, band, high)
-    _draw_layers(axes, column, depth, to_scale=to_scale)
+    _draw_layers(axes, column, (depth, high), to_scale=to_scale)
     space = wide - LEFT - band - 3 * GAP
     with_mode = any(len(constant.psi) for constant in column.constants)
     width = space / 2 if with_mode else 0.7 * space
@@ -228,10 +232,11 @@ def _tops(column: SoilColumn, *, to_scale: bool) -> list[float]:
     return [0.0, *np.cumsum(thickness).tolist()]
 
 
-def _draw_layers(axes: Axes, column: SoilColumn, depth: float, *, to_scale: bool) -> None:
-    """Draw the layers one below the other, numbered, on a hatched base; a half-space goes on below."""
+def _draw_layers(axes: Axes, column: SoilColumn, size: tuple[float, float], *, to_scale: bool) -> None:
+    """Draw numbered layers to a depth [m] as so many millimeters, on a hatched base; a half-space goes on below."""
     from matplotlib.patches import Rectangle
 
+    depth, high = size
     tops = _tops(column, to_scale=to_scale)
     for index, (upper, lower) in enumerate(pairwise(tops)):
         corner, height, fill = (0, upper), lower - upper, (style.GROUND, OPACITIES[index % len(OPACITIES)])
@@ -250,8 +255,16 @@ def _draw_layers(axes: Axes, column: SoilColumn, depth: float, *, to_scale: bool
     axes.spines[:].set_visible(False)
     axes.spines["left"].set_visible(to_scale)
     axes.set_ylabel(style.label_of_length("depth z") if to_scale else "not to scale", labelpad=1)
-    if not to_scale:
-        axes.set_yticks([])
+    axes.set_yticks(_marks(tops, APART * depth / high) if to_scale else [])
+
+
+def _marks(tops: Sequence[float], least: float) -> list[float]:
+    """Return the depths that are marked [m]: of tops of layers and the base those that are so far apart at least."""
+    marks = [tops[0], tops[-1]]
+    for top in tops[1:-1]:
+        if all(abs(top - mark) >= least for mark in marks):
+            marks.append(top)
+    return sorted(marks)
 
 
 def _set_depth_axes(axes: Axes, depth: float, label: str) -> None:
@@ -308,7 +321,8 @@ def _write_tables(
 ) -> float:
     """Write the layers and what the combinations found below a corner [mm]; return how far down that reaches."""
     left, top = corner
-    stretch = (wide * SIDE_BY_SIDE / style.PAGE_WIDTH) ** 0.5
+    stretch = wide * SIDE_BY_SIDE / style.PAGE_WIDTH
+    stretch = min(stretch, stretch**0.5)
     has_constants = any(layer.k0 for layer in column.layers)
     h, E, k0, k1 = (in_system(UNITS[name], units) for name in ("m", "MPa", "MPa/m", "MPa m"))
     stiffnesses = [Name(f"k0 [{k0.name}]"), Name(f"k1 [{k1.name}]")]
@@ -336,7 +350,8 @@ def _write_tables(
         values = list(zip(*(line[1:] for line in lines), strict=True))
         shown = [[Message("{count} combinations", count=len(lines)), *(_range(value) for value in values)]]
     else:
-        shown = [[style.plain_text(name, 24), *(f"{value:#.4g}" for value in values)] for name, *values in lines]
+        letters = int(24 * min(stretch, 1.0))
+        shown = [[style.plain_text(name, letters), *(f"{value:#.4g}" for value in values)] for name, *values in lines]
     ends = [stretch * end for end in ENDS_FOUND]
     return _write_table(page, left, top + 2.5, [heads, *shown], ends, first_left=True)
 

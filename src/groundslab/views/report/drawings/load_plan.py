@@ -30,7 +30,11 @@ if TYPE_CHECKING:
 #: Width of a plan of loads, the largest height of what is drawn, and what stays free around it [mm].
 WIDTH, HEIGHT, FREE = 88.0, 88.0, 6.0
 #: A value keeps so far off lines, and stands so far beside its load, the nearest place that is free [mm].
-NEAR, DISTANCES = 0.4, (1.2, 2.5, 4.0)
+NEAR, DISTANCES = 0.4, (1.2, 2.5, 4.0, 6.0, 8.5)
+#: From farther than this a line leads to the load; half the size of the mark of a point load [mm].
+LED, MARK = 3.0, 0.8
+#: Below a plan stand the values without space, of which at most so many in rows so far apart [mm].
+MOST_LISTED, ROW = 120, 3.0
 #: A value that stands at more places than this is written once, below the plan.
 MOST_EQUAL = 12
 
@@ -79,13 +83,29 @@ class LoadPlan:
         for path in self._paths:
             axes.plot(*zip(*path.points, strict=True), color=style.LOAD, linewidth=0.6, linestyle=(0, (6, 3)))
         symbols.draw_loads(axes, placed, self._belongs, everywhere=False)
-        for text, (x, y) in self._texts:
+        for text, (x, y), led in self._texts:
+            if led is not None:
+                axes.plot(*(np.array([led, (x, y)]) / per_meter).T, color=style.LOAD, linewidth=0.35, zorder=7.5)
             axes.text(
                 x / per_meter, y / per_meter, text, fontsize=style.SMALL, ha="center", va="center", color=style.LOAD,
                 parse_math=False, zorder=8,
                 bbox={"facecolor": "white", "edgecolor": "none", "alpha": 0.75, "pad": 0.2},
             )  # fmt: skip
-        return page.finish(FREE + height + FREE / 2, signed=False)
+        return page.finish(self._list_values(page, FREE + height + (FREE if self._missing else FREE / 2)), signed=False)
+
+    def _list_values(self, page: style.Page, top: float) -> float:
+        """Write the values that there is no space for below the plan [mm]; return how far down they reach."""
+        lines = [
+            page.say(Message("{place:place m}: {text}", place=place, text=text))
+            for place, text in self._missing[:MOST_LISTED]
+        ]
+        wide = max((style.text_width(line, style.FOOT) + 3.0 for line in lines), default=0.0)
+        columns = max(1, int((WIDTH - 2 * FREE) / wide)) if lines else 1
+        rows = -(-len(lines) // columns)
+        for number, line in enumerate(lines):
+            left = FREE + number // rows * (WIDTH - 2 * FREE) / columns
+            page.write(left, top + number % rows * ROW, line, fontsize=style.FOOT, color=style.LOAD)
+        return top + rows * ROW
 
     def describe(self) -> str:
         """Return the name of the case, its action, what of it acts everywhere or often, whether values are missing."""
@@ -101,11 +121,11 @@ class LoadPlan:
         sentences: list[str] = [
             Message("{about}.", about=joined((name, joined(everywhere, "; ")), ": ") if everywhere else name)
         ]
-        if self._missing:
+        if unlisted := len(self._missing[MOST_LISTED:]):
             one, many = (
                 f"For {values} there is no space; the case lists all." for values in ("one value", "{count} values")
             )
-            sentences.append(counted(self._missing, one, many))
+            sentences.append(counted(unlisted, one, many))
         if self._paths:
             sentences.append("It moves along the dashed path; drawn at the first position.")
         return joined(sentences, " ")
@@ -135,8 +155,10 @@ Loads = list[tuple["AnyLoad", dict[str, Any]]]
 
 def _place_values(
     base: PlanBase, loads: Loads, values: dict[tuple[float, float], list[str]]
-) -> tuple[list[tuple[str, Point]], int]:
-    """Return the values of loads with the middle of each [mm], and how many there is no space for.
+) -> tuple[list[tuple[str, Point, Point | None]], list[tuple[Point, str]]]:
+    """Return the values of loads with the middle of each [mm], and what lacks space with its place [m].
+
+    Of values that stand farther off there is the place, too, that a line leads to.
 
     They stand on no line of the plan, nor on each other.
     """
@@ -146,17 +168,24 @@ def _place_values(
     parts = (*plan["plates"], *plan["openings"], *plan["zones"], *plan["columns"])
     lines = [plan["outline"], *(part["ring"] for part in parts)]
     lines += [about.get("ring") or about["points"] for _, about in loads if stands_in_plan(about)]
+    marks = [about["points"][0] for _, about in loads if stands_in_plan(about) and len(about.get("points", ())) == 1]
+    for x, y in marks:
+        placement.reserve((x * per_meter, y * per_meter), (MARK, MARK))
     for line in lines:
         closed = np.array([*line, line[0]] if len(line) > 2 else line, dtype=float)
         placement.reserve_line(per_meter * closed, NEAR)
-    shown, missing = [], 0
+    shown: list[tuple[str, Point, Point | None]] = []
+    missing: list[tuple[Point, str]] = []
     for place, texts in values.items():
         text = style.plain_text(say(joined(texts)))
         half = style.text_width(text, style.SMALL) / 2, 0.5 * style.SMALL * style.PT
         at = (place[0] * per_meter, place[1] * per_meter)
-        middle = next(filter(None, (placement.place_free(at, half, far, SIDES) for far in DISTANCES)), None)
-        missing += middle is None
-        shown += [] if middle is None else [(text, middle)]
+        free = ((placement.place_free(at, half, far, SIDES), far) for far in DISTANCES)
+        middle, far = next((placed for placed in free if placed[0] is not None), (None, 0.0))
+        if middle is None:
+            missing.append((place, text))
+        else:
+            shown.append((text, middle, at if far > LED else None))
     return shown, missing
 
 
