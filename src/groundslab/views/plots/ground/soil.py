@@ -136,7 +136,7 @@ SIDE_BY_SIDE, CLOSE = 2, 3
 #: Marks of the depth are so far apart at least [mm].
 APART = 2.8
 #: Heights of the boxes of one row of columns, and of several rows [mm].
-HIGH, LOW = 90.0, 58.0
+HIGH, LOW = 90.0, 52.0
 #: Space for the depths, width of the column of layers, gap before a diagram [mm].
 LEFT, COLUMN, GAP = 13.0, 15.0, 3.5
 #: From row to row of a table, and where its columns end [mm].

@@ -31,7 +31,7 @@ if TYPE_CHECKING:
     Data = dict[str, Any]
 
 #: Largest width and height of what is drawn, space beside it, for the directions of x and y, and the least width [mm].
-WIDTH, HEIGHT, RIGHT, TOP, DIRECTIONS, NARROW = 148.0, 94.0, 7.0, 7.0, 11.0, 100.0
+WIDTH, HEIGHT, RIGHT, TOP, DIRECTIONS, NARROW = 148.0, 88.0, 7.0, 7.0, 11.0, 100.0
 #: What lies further off the plate than so many times its longer side is named, not drawn.
 REACH = 0.5
 #: Stops of a chain of dimensions are this far apart at least, and chains from one another [mm].
