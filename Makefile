@@ -25,8 +25,8 @@ BENCH  ?=
 # what is compiled, of tests most of all, is kept from one process to the next
 unexport PYTHONDONTWRITEBYTECODE
 
-QUIET     := --quiet --disable-pip-version-check
-INSTALL   := $(BIN)/python -m pip install $(QUIET)
+PIP       := -m pip install --quiet --disable-pip-version-check
+INSTALL   := $(BIN)/uv pip install --quiet --python $(VENV)
 # a process takes neighboring tests, which share what their module has solved, and the others' when it has no more
 PYTEST     = OMP_NUM_THREADS=1 $(BIN)/python -m pytest -n $(JOBS) --dist worksteal --durations 25 --record=out/$@.txt $(OPTIONS)
 # Node.js of lock/node.txt, where the machine has none that is recent enough
@@ -38,9 +38,10 @@ COMPILE   := $(BIN)/uv pip compile --quiet --universal --python-version 3.11 --g
 help:                   ## list the targets
 	@sed -n 's/^\([a-z-]*\): .*## /\1\t/p' $(MAKEFILE_LIST)
 
-$(VENV)/run.stamp: lock/run.txt lock/build.txt lock/node.txt pyproject.toml
+$(VENV)/run.stamp: lock/uv.txt lock/run.txt lock/build.txt lock/node.txt pyproject.toml
 	@$(PYTHON) -c 'import sys; v = sys.version_info; sys.exit(0 if v >= (3, 11) else "groundslab needs Python 3.11 or newer, found %d.%d; choose another with make PYTHON=python3.12, for instance" % v[:2])'
 	$(PYTHON) -m venv $(VENV)
+	$(BIN)/python $(PIP) --require-hashes -r lock/uv.txt
 	$(INSTALL) --require-hashes -r lock/run.txt -r lock/build.txt
 	@$(BIN)/python -c 'import hatch_build; raise SystemExit(not hatch_build.has_node())' || $(INSTALL) --require-hashes -r lock/node.txt
 	$(WITH_NODE) $(INSTALL) --no-deps --no-build-isolation --editable .
@@ -106,9 +107,9 @@ dist-test: dist $(VENV)/dev.stamp ## check both, install each without the reposi
 	$(BIN)/twine check --strict dist/*
 	$(BIN)/check-wheel-contents dist/*.whl
 	$(PYTHON) -m venv --clear $(TRIAL)
-	$(TRIAL)/$(SCRIPTS)/python -m pip install $(QUIET) --require-hashes -r lock/run.txt -r lock/build.txt
+	$(BIN)/uv pip install --quiet --python $(TRIAL) --require-hashes -r lock/run.txt -r lock/build.txt
 	set -e; for file in dist/*; do \
-	  $(TRIAL)/$(SCRIPTS)/python -m pip install $(QUIET) --force-reinstall --no-deps --no-build-isolation $$file; \
+	  $(TRIAL)/$(SCRIPTS)/python $(PIP) --force-reinstall --no-deps --no-build-isolation $$file; \
 	  $(TRIAL)/$(SCRIPTS)/groundslab solve examples/table1.toml --quiet --out out/dist; \
 	  $(TRIAL)/$(SCRIPTS)/groundslab report out/dist; \
 	done
@@ -146,6 +147,7 @@ lock: $(VENV)/dev.stamp ## update the lock files from pyproject.toml
 	$(COMPILE) pyproject.toml --extra mesh --extra app --extra dxf --extra ifc --extra tables --extra exchange --extra mcp --extra study --constraint lock/dev.txt -o lock/image.txt
 	$(COMPILE) --group build --constraint lock/dev.txt -o lock/build.txt
 	$(COMPILE) --group node -o lock/node.txt
+	$(COMPILE) --group uv -o lock/uv.txt
 
 bench: $(VENV)/dev.stamp pages ## time all sizes and the other programs, measure default answers and told errors, write docs/performance.md; takes hours
 	$(PYTHON) bench/run.py $(BENCH)
