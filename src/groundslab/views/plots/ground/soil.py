@@ -135,8 +135,8 @@ ENDLESS = 0.25
 SIDE_BY_SIDE, CLOSE = 2, 3
 #: Marks of the depth are so far apart at least [mm].
 APART = 2.8
-#: Heights of the boxes of one row of columns, and of several rows [mm].
-HIGH, LOW = 90.0, 52.0
+#: Heights of the boxes of at most two columns, and of more; width of a page with one column [mm].
+HIGH, LOW, ALONE = 80.0, 52.0, 115.0
 #: Space for the depths, width of the column of layers, gap before a diagram [mm].
 LEFT, COLUMN, GAP = 13.0, 15.0, 3.5
 #: From row to row of a table, and where its columns end [mm].
@@ -172,12 +172,12 @@ def draw_columns(
     model: Model, columns: Sequence[SoilColumn], title: str = "", heading: Sequence[str] = (), *, named: bool = False
 ) -> Figure:
     """Return rows of columns, with a legend of combinations if they are named."""
-    page = style.Page(style.PAGE_WIDTH, words_of(model))
+    page = style.Page(style.PAGE_WIDTH if len(columns) > 1 else ALONE, words_of(model))
     top = page.write_heading(title, heading)
     close = not any(layer.k0 for column in columns for layer in column.layers)
     across = min(len(columns), CLOSE if close else SIDE_BY_SIDE)
     high = HIGH if len(columns) <= SIDE_BY_SIDE else LOW
-    width = style.PAGE_WIDTH / across
+    width = page.width / across
     legend: dict[str, Any] = {}
     places = {hole.name or f"borehole {n}": (hole.x, hole.y) for n, hole in enumerate(model.boreholes, 1)}
     for row in style.batch(columns, across):
