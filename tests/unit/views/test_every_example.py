@@ -1,4 +1,4 @@
-"""What is made of every example: all words are translated, JSON has the shapes that docs/interface promises."""
+"""Every example is solved and does not fail; all words of its report are translated, JSON has the promised shapes."""
 
 from __future__ import annotations
 
@@ -13,6 +13,7 @@ from tests.helpers.paths import EXAMPLES
 
 from groundslab.analysis.driver import solve
 from groundslab.case.casefile import load
+from groundslab.design.checks import check_design
 from groundslab.languages.catalogue import Catalogue
 from groundslab.results.results import Results
 from groundslab.views import translation
@@ -26,6 +27,7 @@ OF_FEW = {
     "bearing_walls",
     "combined_footing",
     "grade_beams",
+    "house_raft",
     "pad",
     "raft_on_continuum",
     "raft_under_a_frame",
@@ -59,6 +61,14 @@ def test_reports_leave_no_word_in_english(solved: Results, monkeypatch: pytest.M
     assert len(list(translation.translated_tables(solved))) > 3
     assert sorted(set(translate.unknown or ())) == []
     assert '<html lang="de">' in page
+
+
+@pytest.mark.slow
+def test_it_holds(solved: Results) -> None:
+    """Every combination has a certified result, and the design does not fail."""
+    assert not solved.refused
+    assert all(each.certificate.holds for each in solved.results.values())
+    assert check_design(solved).status != "fails"
 
 
 @pytest.mark.slow
