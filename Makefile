@@ -33,7 +33,7 @@ PYTEST     = OMP_NUM_THREADS=1 $(BIN)/python -m pytest -n $(JOBS) --dist workste
 WITH_NODE := PATH="$$PWD/$(BIN):$$PATH"
 COMPILE   := $(BIN)/uv pip compile --quiet --universal --python-version 3.11 --generate-hashes --no-header --no-emit-index-url --no-annotate --no-strip-extras
 
-.PHONY: demo verify verify-light docs test tests test-fast test-short test-slow test-solvers test-oldest coverage lint types check lock pages pages-test dist dist-test dist-pythons licenses bench clean help
+.PHONY: demo verify verify-light docs test tests test-fast test-short test-slow test-random test-solvers test-oldest coverage lint types check lock pages pages-test dist dist-test dist-pythons licenses bench clean help
 
 help:                   ## list the targets
 	@sed -n 's/^\([a-z-]*\): .*## /\1\t/p' $(MAKEFILE_LIST)
@@ -81,6 +81,10 @@ test-short: $(VENV)/dev.stamp pages ## all tests but the slow ones
 
 test-slow: $(VENV)/dev.stamp pages ## the slow tests
 	$(PYTEST) -m slow
+
+test-random: export GROUNDSLAB_EXAMPLES := 9
+test-random: $(VENV)/dev.stamp pages ## what is tried on random examples, on nine times as many: before a release
+	$(PYTEST) tests/properties
 
 coverage: $(VENV)/dev.stamp pages ## all tests but the slow ones, and how much of the code they run
 	$(PYTEST) -m "not slow" --cov --cov-report=term

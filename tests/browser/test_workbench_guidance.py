@@ -214,8 +214,7 @@ MARKED = """() => {
 
 def test_the_focus_is_seen_everywhere(server: Server, bench: Bench, case: Path) -> None:
     """Whatever Tab reaches in plan and form has an outline or a shadow while it has the focus."""
-    bench.open(server.start(case))
-    bench.wait_solved()
+    bench.open(server.start(case, by_itself=False))
     for tab in ("Plan", "Form"):
         bench.tab(tab)
         for _ in range(60):

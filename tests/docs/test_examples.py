@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import pytest
 
 from groundslab.analysis.driver import solve
@@ -11,31 +9,17 @@ from groundslab.case.casefile import load
 from groundslab.design.checks import check_design
 from groundslab.design.codes.en1992_2023.checks.punching_demand import column_demands
 from groundslab.views.tables.result_tables import tables_of
-from helpers.paths import EXAMPLES
+from helpers.paths import EXAMPLES, TAKE_LONG
 
-#: Those whose default answer takes long are solved on large elements.
-ON_LARGE_ELEMENTS = (
-    "bearing_walls", "house_raft", "industrial_floor", "pad", "raft_under_a_frame", "ribbed_raft", "tank", "warehouse",
-)  # fmt: skip
-#: The raft with eight combinations has a test of its own below.
-CASES = sorted(path for path in EXAMPLES.glob("*.toml") if path.stem != "l_raft")
-SLOW = (
-    "bearing_walls", "combined_footing", "cracked_footing", "grade_beams", "house_raft", "industrial_floor",
-    "joined_bays", "neighbours", "pad", "raft_on_continuum", "raft_under_a_frame", "ribbed_raft", "second_generation",
-    "tank", "void", "warehouse", "wind_turbine",
-)  # fmt: skip
+#: The others are held to the same on large elements, where they are solved for their reports.
+CASES = sorted({path.stem for path in EXAMPLES.glob("*.toml")} - TAKE_LONG)
 
 
-@pytest.mark.parametrize(
-    "path",
-    [pytest.param(path, id=path.stem, marks=[pytest.mark.slow] * (path.stem in SLOW)) for path in CASES],
-)
-def test_examples_are_solved(path: Path) -> None:
-    """Every combination of every example has a certified result, and no design of them fails."""
-    model = load(path)
-    if path.stem in ON_LARGE_ELEMENTS:
-        model = model.replace(mesh={"size": max(model.sides) / 8})
-    results = solve(model)
+@pytest.mark.slow
+@pytest.mark.parametrize("name", CASES)
+def test_examples_are_solved(name: str) -> None:
+    """Every combination of an example as it is has a certified result, and its design does not fail."""
+    results = solve(load(EXAMPLES / f"{name}.toml"))
     assert not results.refused
     assert all(each.certificate.holds for each in results.results.values())
     assert check_design(results).status != "fails"

@@ -93,29 +93,6 @@ class Hands:
         self.actions += 1
         self.bench.click(x, y)
 
-    def pair(self, values: tuple[str, str], *path: str | int) -> None:
-        """Enter both values of a key."""
-        for n, value in enumerate(values):
-            self.enter(value, self.bench.field(*path).locator("input").nth(n))
-
-    def cell(self, head: str, row: int) -> None:
-        """Click on a cell of a table by the last word of its column's head and its row, from 0."""
-        heads = self.page.locator("table.sheet thead th").all_text_contents()
-        column = next(n for n, words in enumerate(heads) if words.split()[-1] == head)
-        self.click(self.page.locator(f'table.sheet tr[data-row="{row}"] :is(th, td)').nth(column))
-
-    def fill_down(self, head: str, row: int, values: Iterable[str]) -> None:
-        """Click on a cell of a table, and type values from there downwards."""
-        self.cell(head, row)
-        for value in values:
-            self.type(value)
-
-    def table(self, name: str) -> None:
-        """Choose one of the tables, with the tab that shows them."""
-        self.tab("Tables")
-        self.actions += 1
-        self.page.get_by_label("table", exact=True).select_option(name)
-
     def open_section(self, name: str) -> None:
         """Open a section of the form."""
         self.click(self.page.locator(f'[data-section="{name}"] > summary'))

@@ -13,6 +13,7 @@ from scipy.optimize import linprog
 from groundslab.arrays import Array
 from groundslab.errors import NoEquilibrium
 from groundslab.solvers.bounded_forces import BoundedForces, BoundedSolution, balance, solve
+from helpers.examples import examples
 
 TOLERANCE = 1e-7
 
@@ -51,7 +52,7 @@ def _violation(A: Array, c: Array, p: BoundedForces, found: BoundedSolution) -> 
     return float(np.maximum(wrong, 0.0).max())
 
 
-@settings(deadline=None, derandomize=True, database=None, max_examples=300)
+@settings(deadline=None, derandomize=True, database=None, max_examples=examples(300))
 @given(problem=problems(), start=st.sampled_from([0.0, 1.0, -30.0, 1e4]))
 def test_forces_and_gaps_fit(problem: tuple[Any, ...], start: float) -> None:
     """Forces lie between their bounds, have their resultants, and gaps have the sign that goes with each bound."""
@@ -97,7 +98,7 @@ def _can_balance(p: BoundedForces) -> bool:
     return bool(linprog(np.zeros(len(p.lower)), A_eq=A, b_eq=p.e / rows / unit, bounds=bounds).status == 0)
 
 
-@pytest.mark.parametrize("first", range(0, 300, 50))
+@pytest.mark.parametrize("first", range(0, examples(300), 50))
 def test_slabs_are_refused_if_and_only_if_a_linear_program_says_so(first: int) -> None:
     """With a limit pressure, a support that holds and one that presses; what is found is balanced to 1e-11."""
     refused = 0

@@ -13,6 +13,7 @@ from hypothesis import strategies as st
 
 from groundslab.errors import InputError
 from groundslab.views.tables.table import Table, table_of
+from helpers.examples import examples
 
 NUMBERS = st.floats(allow_nan=False)
 WORDS = st.text(st.characters(codec="utf-8"), max_size=12)
@@ -23,7 +24,7 @@ TABLES = st.lists(st.tuples(WORDS, NUMBERS, st.integers(-(10**12), 10**12), st.n
 
 
 @pytest.mark.slow
-@settings(deadline=None, derandomize=True)
+@settings(max_examples=examples(100), deadline=None, derandomize=True)
 @given(table=TABLES)
 @example(table=table_of("t", "T", HEADS, [('a\r"b"\n,', 1e300, -1, None), ("\r", -math.inf, 0, 5e-324)]))
 def test_csv_reads_back(table: Table) -> None:
@@ -40,7 +41,7 @@ def test_csv_reads_back(table: Table) -> None:
 
 
 @pytest.mark.slow
-@settings(deadline=None, derandomize=True)
+@settings(max_examples=examples(100), deadline=None, derandomize=True)
 @given(table=TABLES)
 def test_frames_hold_the_same(table: Table) -> None:
     """A DataFrame has the same columns and every digit; gaps among numbers are no numbers."""

@@ -43,10 +43,10 @@ LEFT = Rectangle(x=(-500.0, 0.0), y=(-500.0, 500.0))
 
 
 def model(ground: Any, **keys: Any) -> Model:
-    """Return a plate of 6 x 4 m in 12 x 8 elements under a load that lifts a corner, infinite ground beyond if any."""
+    """Return a plate of 6 x 4 m in 6 x 4 elements under a load that lifts a corner, infinite ground beyond if any."""
     beyond = Beyond() if isinstance(ground, Winkler) else Beyond(kind="infinite")
     loads = [PointLoad(P=2e5, x=2.0, y=1.0), UniformLoad(q=1e4)]
-    mesh = Mesh(counts=(12, 8), symmetry="off")
+    mesh = Mesh(counts=(6, 4), symmetry="off")
     return Model(**{"plate": PLATE, "ground": ground, "loads": loads, "mesh": mesh, "beyond": beyond, **keys})
 
 

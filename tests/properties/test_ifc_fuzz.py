@@ -20,6 +20,7 @@ from groundslab.workbench.checking.file_reader import load_libraries
 
 pytest.importorskip("ifcopenshell")
 
+from helpers.examples import examples
 from helpers.ifc_files import Building, turned
 
 #: What may stand in a file by mistake.
@@ -77,9 +78,9 @@ def attempt(reader: BuildingReader, path: Path) -> bool:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("batch", range(6))
+@pytest.mark.parametrize("batch", range(examples(6)))
 def test_damaged_files(batch: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """120 damaged files, in processes that go on until one of them ends: a good part of them can still be read."""
+    """Damaged files, in processes that go on until one of them ends: a good part of them can still be read."""
     process = BoundedProcess(partial(load_libraries, BuildingReader.kind.libraries), BuildingReader.kind.memory)
     # to start one takes longer than to read the file
     monkeypatch.setattr(

@@ -17,6 +17,7 @@ from hypothesis import strategies as st
 from groundslab.case.casefile import load, loads, starter, to_toml
 from groundslab.errors import InputError
 from groundslab.model.model import Model, docs_table
+from helpers.examples import examples
 from helpers.strategies import models, rich_models
 
 SECOND = """
@@ -241,7 +242,7 @@ def test_fuzzed_files_are_sound(name: str) -> None:
 
 
 @pytest.mark.slow
-@settings(QUICK, max_examples=400)
+@settings(QUICK, max_examples=examples(400))
 @given(descriptions())
 def test_damaged_structure(data: Any) -> None:
     """Dropped, moved, renamed and replaced keys, wrong types and deep nesting: a Model or an InputError."""
@@ -265,7 +266,7 @@ def test_deep_nesting(kind: type) -> None:
 
 
 @pytest.mark.slow
-@settings(QUICK, max_examples=150)
+@settings(QUICK, max_examples=examples(150))
 @given(values() | st.binary() | st.dictionaries(st.integers() | st.none() | st.binary(), st.integers(), max_size=3))
 def test_any_object(data: Any) -> None:
     """What is no description at all, in Python too, is an InputError."""
@@ -277,7 +278,7 @@ def test_any_object(data: Any) -> None:
 
 
 @pytest.mark.slow
-@settings(QUICK, max_examples=200)
+@settings(QUICK, max_examples=examples(200))
 @given(st.data())
 def test_damaged_text(data: st.DataObject) -> None:
     """A piece of the file's text replaced by another: a Model or an InputError."""
@@ -291,7 +292,7 @@ def test_damaged_text(data: st.DataObject) -> None:
         check(error)
 
 
-@settings(QUICK, max_examples=100)
+@settings(QUICK, max_examples=examples(100))
 @given(st.data())
 def test_damaged_bytes(tmp_path_factory: pytest.TempPathFactory, data: st.DataObject) -> None:
     """Any bytes put into the file: a Model or an InputError."""
@@ -306,7 +307,7 @@ def test_damaged_bytes(tmp_path_factory: pytest.TempPathFactory, data: st.DataOb
 
 
 @pytest.mark.slow
-@settings(QUICK, max_examples=120)
+@settings(QUICK, max_examples=examples(120))
 @given(models() | rich_models(whole=True))
 def test_written_model_is_read_back(model: Model) -> None:
     """Every Model, written as a file and read, or dumped and rebuilt, or pickled, is the same to the last bit."""

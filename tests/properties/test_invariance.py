@@ -31,7 +31,7 @@ OUTLINES: dict[str, dict[str, Any]] = {
     "angle": {"kind": "polygon", "points": [(0, 0), (6, 0), (6, 3), (3, 3), (3, 5), (0, 5)]},
     "circle": {"kind": "circle", "centre": (3, 2.5), "radius": 2.5},
 }
-FAR_AWAY = [(1e7, 1e7), (32_450_000.0, 5_400_000.0), (-4e5, 3.1)]
+FAR_AWAY = {"rectangle": (1e7, 1e7), "angle": (32_450_000.0, 5_400_000.0), "circle": (-4e5, 3.1)}
 
 
 def slab(ground: str, outline: str = "rectangle", **keys: Any) -> Model:
@@ -61,11 +61,19 @@ def assert_same(one: CombinationResult, other: CombinationResult, length: float 
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("outline", "by"), list(zip(OUTLINES, FAR_AWAY, strict=True)), ids=list(OUTLINES))
-@pytest.mark.parametrize("ground", GROUNDS)
-def test_where_a_plan_lies_changes_nothing(ground: str, outline: str, by: tuple[float, float]) -> None:
+@pytest.mark.parametrize(
+    ("ground", "outline"),
+    [
+        ("springs", "rectangle"),
+        ("pasternak", "circle"),
+        ("vlasov", "angle"),
+        ("continuum", "circle"),
+        ("modulus", "angle"),
+    ],
+)
+def test_where_a_plan_lies_changes_nothing(ground: str, outline: str) -> None:
     """A slab in a national grid, with its zone in front or not, has the answer of the slab near x = y = 0."""
-    here = slab(ground, outline)
+    here, by = slab(ground, outline), FAR_AWAY[outline]
     there = solve(move_validated(here, by)).only
     one = solve(here).only
     assert 0.3 < one.plate.contact_share < 1
@@ -75,7 +83,7 @@ def test_where_a_plan_lies_changes_nothing(ground: str, outline: str, by: tuple[
 
 def test_tables_tell_places_in_a_national_grid() -> None:
     """Tables hold coordinates of the plan as it was given, and CSV files keep their millimeters."""
-    by = FAR_AWAY[1]
+    by = FAR_AWAY["angle"]
     points = [{"name": "corner", "x": 0.5, "y": 0.75}]
     model = move_validated(slab("springs", output={"points": points}), by)
     tables = {table.name: table for table in tables_of(results_of(solve(model).only))}
@@ -85,8 +93,7 @@ def test_tables_tell_places_in_a_national_grid() -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("forces", ["pressures stay", "forces stay"])
-@pytest.mark.parametrize("lengths", [1e-3, 1e3])
+@pytest.mark.parametrize(("lengths", "forces"), [(1e-3, "pressures stay"), (1e3, "forces stay")])
 @pytest.mark.parametrize("ground", GROUNDS)
 def test_the_unit_of_length_changes_nothing(ground: str, lengths: float, forces: str) -> None:
     """All lengths times a factor, loads and moduli with them by their dimensions: settlements are times the factor."""
@@ -123,7 +130,7 @@ DISTANCE = 250
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("load", [1e-9, 1e6, 1e9])
+@pytest.mark.parametrize("load", [1e-9, 1e9])
 @pytest.mark.parametrize("ground", APART)
 def test_a_plate_far_away_changes_nothing(ground: str, load: float) -> None:
     """A second plate far away, its load from next to nothing to a thousand million times as much, is not felt."""
@@ -179,8 +186,8 @@ def test_order_of_columns_changes_nothing(ground: str) -> None:
 
 def test_columns_punch_alike_in_a_national_grid() -> None:
     """Perimeters at an edge and inside have the lengths, shapes and forces that they have near x = y = 0."""
-    here, by = slab("springs", mesh={"size": 0.5}), np.array(FAR_AWAY[1])
-    plates = [solve(each).only.plate for each in (here, move_validated(here, FAR_AWAY[1]))]
+    here, by = slab("springs", mesh={"size": 0.5}), np.array(FAR_AWAY["angle"])
+    plates = [solve(each).only.plate for each in (here, move_validated(here, FAR_AWAY["angle"]))]
     for x, y in ((0.2, 2.0), (0.2, 0.2), (3.0, 2.0)):
         near = perimeter_demand.RectangularColumn(x, y, 0.4, 0.4)
         far = perimeter_demand.RectangularColumn(x + by[0], y + by[1], 0.4, 0.4)
@@ -194,6 +201,6 @@ def test_columns_punch_alike_in_a_national_grid() -> None:
 def test_messages_say_where_things_are_in_the_plan_that_was_given() -> None:
     """A load that topples a slab in a national grid is named where it is, to the millimeter."""
     loads = [{"kind": "point", "P": 2e5, "x": 5.999, "y": 2.0}, {"kind": "point", "P": -1e5, "x": 1.0, "y": 2.0}]
-    toppling = move_validated(slab("springs", loads=loads), FAR_AWAY[1])
+    toppling = move_validated(slab("springs", loads=loads), FAR_AWAY["angle"])
     with pytest.raises(NoEquilibrium, match=r"x = 32450010\.998 m, y = 5400002 m.*\(x 32450000 \.\. 32450006 m"):
         solve(toppling)

@@ -18,12 +18,13 @@ from groundslab.model.plate import Edges, Plate
 from groundslab.model.settings import Analysis, Beyond, Contact, Mesh
 from groundslab.model.varying_ground import Void
 from groundslab.results.results import CombinationResult
+from helpers.examples import examples
 
 
 def few(count: int) -> Any:
     """Return settings for a small number of examples, the same in every run."""
     return settings(
-        max_examples=count,
+        max_examples=examples(count),
         derandomize=True,
         deadline=None,
         database=None,

@@ -1,11 +1,10 @@
 """Every problem that has a solution gets one: plates thin and thick, on ground that is stiff or yields or has voids.
 
-`GROUNDSLAB_MODELS=500 pytest tests/properties/test_random_contact.py` tries as many as one likes.
+`make test-random` tries many more.
 """
 
 from __future__ import annotations
 
-import os
 from collections import Counter
 from functools import cache
 from pathlib import Path
@@ -30,11 +29,12 @@ from groundslab.model.supports import PointSupport
 from groundslab.model.varying_ground import Void
 from groundslab.results.results import CombinationResult
 from groundslab.solvers import interior_point
+from helpers.examples import examples
 from helpers.paths import DATA
 
 pytestmark = pytest.mark.slow
 
-MODELS = int(os.environ.get("GROUNDSLAB_MODELS", "60"))
+MODELS = examples(60)
 FILES = sorted((DATA / "contact").glob("*.toml"))
 #: What an iteration may take: tens of steps on each mesh; on coarse ones, on which all hangs on a few nodes, those of
 #: an interior point method that stalls besides.

@@ -9,6 +9,7 @@ import pytest
 
 from groundslab import Model, solve
 from groundslab.design.demands.by_plate import results_by_plate
+from helpers.examples import examples
 
 GROUNDS: list[dict[str, Any]] = [
     {"kind": "winkler", "k": 2e7},
@@ -67,7 +68,7 @@ def random_plates(seed: int) -> tuple[dict[str, Any], dict[str, Any], dict[str, 
     return plates[0], plates[1], parts
 
 
-@pytest.mark.parametrize("seed", range(12))
+@pytest.mark.parametrize("seed", range(examples(12)))
 def test_balance_plate_by_plate_and_order(seed: int) -> None:
     """The ground carries each plate's loads less what its joint passes on, in whichever order plates are described."""
     first, second, parts = random_plates(seed)

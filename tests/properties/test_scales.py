@@ -10,7 +10,6 @@ from typing import Any
 import numpy as np
 import pytest
 
-from groundslab.analysis.driver import solve
 from groundslab.model.ground import Pasternak, Winkler
 from groundslab.model.loads.load_types import PointLoad, UniformLoad
 from groundslab.model.model import Model
@@ -19,8 +18,9 @@ from groundslab.model.settings import Contact, Mesh
 from groundslab.model.supports import PointSupport
 from groundslab.model.varying_ground import GapPoint, Void
 from groundslab.results.results import CombinationResult
+from helpers.solve_once import solve_once
 
-FACTORS = [1e3, 1e6, 1e9, 1e12]
+FACTORS = [1e3, 1e6, 1e12]
 #: The loads press all but a corner of the plate down, so that a tolerance that is too wide can be seen.
 LOADS = [UniformLoad(q=10e3), PointLoad(P=100e3, x=0.0, y=0.0), PointLoad(P=80e3, x=2.5, y=1.5)]
 
@@ -29,7 +29,9 @@ def solved(ground: str = "winkler", **keys: Any) -> CombinationResult:
     """Return the results of a plate of 6 x 4 m on springs."""
     k = {"winkler": Winkler(k=20e6), "pasternak": Pasternak(k0=20e6, k1=10e6)}[ground]
     plate = Plate(length_x=6, length_y=4, thickness=0.25, E=30e9, nu=0.2)
-    return solve(Model(plate=plate, ground=k, mesh=Mesh(size=0.5, symmetry="off"), **{"loads": LOADS, **keys}))
+    return solve_once(
+        Model(plate=plate, ground=k, mesh=Mesh(size=0.5, symmetry="off"), **{"loads": LOADS, **keys})
+    ).only
 
 
 def assert_same(a: CombinationResult, b: CombinationResult) -> None:

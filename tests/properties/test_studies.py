@@ -18,6 +18,7 @@ from groundslab.schema.fields import Factors
 from groundslab.schema.issues import FieldError
 from groundslab.study.definition import case_paths
 from groundslab.study.definition.schema import StudyFile
+from helpers.examples import examples
 from helpers.strategies import rich_models
 from helpers.studies import CASE, STUDY
 
@@ -44,7 +45,7 @@ def all_paths(part: Section, path: str) -> Iterator[tuple[str, Any]]:
             yield from all_paths(held, below)
 
 
-@settings(max_examples=20, derandomize=True, deadline=None)
+@settings(max_examples=examples(20), derandomize=True, deadline=None)
 @given(model=rich_models(), number=st.integers(0, 10**6))
 def test_every_key_can_be_reached(model: Model, number: int) -> None:
     """Each key of a case is found by its path, and the case with its own values put in is the same case."""
@@ -59,7 +60,7 @@ def test_every_key_can_be_reached(model: Model, number: int) -> None:
     assert case_paths.with_values(model, whole) == model
 
 
-@settings(max_examples=200, derandomize=True, deadline=None)
+@settings(max_examples=examples(200), derandomize=True, deadline=None)
 @given(path=st.text(alphabet='abk.[]01"\\gq-', max_size=12))
 def test_paths_are_refused_in_words(path: str) -> None:
     """Any text is a path to a key, or is refused with what was expected."""
@@ -81,7 +82,7 @@ SCRAPS = st.recursive(
 )  # fmt: skip
 
 
-@settings(max_examples=300, derandomize=True, deadline=None)
+@settings(max_examples=examples(300), derandomize=True, deadline=None)
 @given(data=st.data())
 def test_spoilt_study_files(data: st.DataObject) -> None:
     """A study file with anything put anywhere is a study or an InputError, and what is a study can be written."""

@@ -160,7 +160,7 @@ def test_other_units(loaded: tuple[list[Wall], list[Any]], lengths: float, force
     assert_same(forces * one.plate.moment_x, other.plate.moment_x)
 
 
-@settings(FEW, max_examples=200)
+@settings(FEW, max_examples=examples(200))
 @given(loaded_walls())
 def test_nothing_of_what_stands_on_a_wall_is_lost(loaded: tuple[list[Wall], list[Any]]) -> None:
     """Spread over its thickness or along its axis, the force is what its load per length makes on its length."""

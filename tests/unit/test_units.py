@@ -16,6 +16,7 @@ from hypothesis import strategies as st
 
 from groundslab import units
 from groundslab.units import DIMENSIONS, QuantityError, parse, show, write
+from helpers.examples import examples
 
 KIP = 4448.2216152605
 FOOT = 0.3048
@@ -219,7 +220,7 @@ def test_show(value: float, dimension: str, text: str) -> None:
 
 
 @pytest.mark.slow
-@settings(derandomize=True, max_examples=300, deadline=None, database=None)
+@settings(derandomize=True, max_examples=examples(300), deadline=None, database=None)
 @given(st.floats(allow_nan=False, allow_infinity=False), st.sampled_from(list(DIMENSIONS)))
 def test_written_is_read_back(value: float, dimension: str) -> None:
     """Every finite float survives writing and reading, to the last bit; shown, it is still the same to 1e-4."""
@@ -231,7 +232,7 @@ def test_written_is_read_back(value: float, dimension: str) -> None:
 
 
 @pytest.mark.slow
-@settings(derandomize=True, max_examples=300, deadline=None, database=None)
+@settings(derandomize=True, max_examples=examples(300), deadline=None, database=None)
 @given(st.text(max_size=120) | st.from_regex(units.NUMBER + r"\s?[A-Za-z*/^ 0-9]{0,12}", fullmatch=True))
 def test_any_text(text: str) -> None:
     """Whatever the text, the answer is a finite float or a QuantityError, at once."""

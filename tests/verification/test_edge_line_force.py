@@ -146,9 +146,16 @@ SHAPES = {
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("shape", SHAPES)
-@pytest.mark.parametrize("tensionless", [True, False])
-@pytest.mark.parametrize("kind", ["pasternak", "layers", "winkler"])
+@pytest.mark.parametrize(
+    ("shape", "tensionless", "kind"),
+    [
+        ("rectangle", True, "pasternak"),
+        ("polygon with an opening", True, "layers"),
+        ("circle", True, "pasternak"),
+        ("polygon with an opening", False, "pasternak"),
+        ("circle", False, "winkler"),
+    ],
+)
 def test_pressures_and_line_forces_together_are_the_load(shape: str, tensionless: bool, kind: str) -> None:
     """Pressure times area and line force times length sum up to the load, with its moments; neither pulls."""
     soil = [{"thickness": 1.0, "E": 20e6, "nu": 0.3}, {"thickness": 2.0, "E": 40e6, "nu": 0.3}]

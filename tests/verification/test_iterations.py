@@ -28,7 +28,7 @@ def _iterations(ground, refinement, *, nested):
     return max(step.iteration for step in solve(model).steps if step.finest)
 
 
-@pytest.mark.parametrize("refinement", [1, 2, 3, 5, 8])
+@pytest.mark.parametrize("refinement", [1, 3, 6])
 @pytest.mark.parametrize("ground", GROUNDS)
 def test_nested_iteration_needs_three_steps_at_most(ground, refinement):
     """Started from the forecast, the finest mesh needs three contact iterations or fewer at any refinement."""

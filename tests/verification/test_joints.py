@@ -319,7 +319,6 @@ def test_four_slabs_that_meet_at_a_point() -> None:
     assert corner == pytest.approx([corner[0]] * 4, rel=1e-6)
 
 
-CONTRASTS = (1e-6, 1e6)
 ON: dict[str, dict[str, Any]] = {
     "springs": {"kind": "winkler", "k": 3e8},
     "pasternak": {"kind": "pasternak", "k0": 2e7, "k1": 3e7},
@@ -350,8 +349,7 @@ def bays(ground: str, contrast: float, size: float, tensionless: bool) -> Combin
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("tensionless", [True, False], ids=["tensionless", "glued"])
-@pytest.mark.parametrize("contrast", CONTRASTS)
+@pytest.mark.parametrize(("contrast", "tensionless"), [(1e-6, True), (1e6, False), (1e6, True)])
 @pytest.mark.parametrize("ground", ON)
 def test_a_hinge_is_exact_at_any_contrast(ground: str, contrast: float, tensionless: bool) -> None:
     """Both sides settle alike to the last digit, and the hinge's force is what the second plate's ground carries."""

@@ -22,7 +22,7 @@ def settlements(b: float, e: float, cell: float, places: list[float]) -> np.ndar
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("b", "e"), [(4.0, 0.0), (2.0, 0.4), (4.0, 0.5)])
+@pytest.mark.parametrize(("b", "e"), [(4.0, 0.0), (2.0, 0.4)])
 def test_extrapolated_from_two_sizes_of_cells(b, e):
     """Errors halve with the cells; extrapolated so, settlement and tilt are exact to 0.02 %."""
     places = [-1.5, 0.0, 1.5]

@@ -64,10 +64,9 @@ def test_the_plate_of_table_3_on_a_layer(t):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("t", [0.15, 0.2])
-def test_a_slab_that_lifts_off_around_its_load(t):
+def test_a_slab_that_lifts_off_around_its_load():
     """A patch in the middle lifts the corners; settlements, what touches and what each cell carries."""
-    raft = Raft(6.0, 4.0, t, 30e9, 0.2, (36, 24))
+    raft = Raft(6.0, 4.0, 0.15, 30e9, 0.2, (36, 24))
     q, patch = 1e3, (-0.5, 0.5, -0.5, 0.5, 5e5)
     u, x = press(raft, half_space(raft, E_S, NU), load(raft, q, patch))
     results = solved(

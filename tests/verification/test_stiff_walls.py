@@ -182,7 +182,7 @@ def test_walls_end_to_end_are_one(backwards: bool) -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("size", [None, 0.1, 0.2, 0.3, 0.4])
+@pytest.mark.parametrize("size", [None, 0.1, 0.4])
 def test_the_largest_shear_force_does_not_depend_on_nodes(size: float | None) -> None:
     """One thickness of the raft from a wall's end, 0.4 m: 139.1 kN within 1 kN, and accurate by default.
 
@@ -207,7 +207,7 @@ def test_the_largest_shear_force_does_not_depend_on_nodes(size: float | None) ->
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("size", [None, 0.4, 0.8])
+@pytest.mark.parametrize("size", [None, 0.8])
 @pytest.mark.parametrize("load", ["force", "line"])
 def test_shear_forces_beside_forces_on_walls(size: float | None, load: str) -> None:
     """A wall of 6 m on two supports, on a plate and ground as soft as nothing, with loads where no node would be.

@@ -218,8 +218,7 @@ def test_a_cavity_carries_nothing() -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("beyond", ["none", "infinite"])
-@pytest.mark.parametrize("threads", [1, 3])
+@pytest.mark.parametrize(("threads", "beyond"), [(3, "none"), (1, "infinite")])
 def test_combinations_are_solved_by_themselves(threads: int, beyond: str, monkeypatch: pytest.MonkeyPatch) -> None:
     """Each is what its factors give as a model of their own, side by side as well as one after the other.
 

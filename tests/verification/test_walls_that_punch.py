@@ -52,7 +52,7 @@ def pressure_inside(results: CombinationResult, part: Polygon) -> float:
     return float((shares * results.plate.pressure[mesh.elements]).sum())
 
 
-@pytest.mark.parametrize("degrees", [0.0, 90.0, 35.0])
+@pytest.mark.parametrize("degrees", [90.0, 35.0])
 def test_both_ends_of_a_short_wall_take_what_it_carries(degrees: float) -> None:
     """The perimeters of both ends close: their forces are the load less the pressure inside, at all distances."""
     along = np.array([math.cos(math.radians(degrees)), math.sin(math.radians(degrees))])

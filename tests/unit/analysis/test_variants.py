@@ -53,8 +53,9 @@ def same(found: driver.CombinationResult, wanted: driver.CombinationResult) -> N
     np.testing.assert_array_equal(found.plate.in_contact, wanted.plate.in_contact)
 
 
-@pytest.mark.parametrize("beyond", ["none", "infinite"])
-@pytest.mark.parametrize("change", CHANGES.values(), ids=list(CHANGES))
+@pytest.mark.parametrize(
+    ("change", "beyond"), [*zip(CHANGES.values(), ("none", "infinite") * 3, strict=True)], ids=list(CHANGES)
+)
 def test_a_variant_has_the_results_that_it_has_by_itself(change: dict[str, Any], beyond: str) -> None:
     """Whatever is changed about the base case, the mesh included."""
     base = model(beyond={"kind": beyond, **({"width": 3.0} if beyond == "infinite" else {})})

@@ -28,6 +28,7 @@ from groundslab.model.model import Model
 from groundslab.model.plate import Edges, Plate
 from groundslab.model.settings import Beyond, Contact, Mesh
 from groundslab.model.varying_ground import GapPoint, Void
+from helpers.examples import examples
 from helpers.plans import needs_gmsh
 
 LX, LY = 6.0, 4.0
@@ -453,7 +454,7 @@ def dense(problem: Problem, column: Column) -> np.ndarray:
 
 
 @pytest.mark.slow
-@settings(max_examples=6, derandomize=True, deadline=None)
+@settings(max_examples=examples(6), derandomize=True, deadline=None)
 @given(
     element=st.sampled_from(ELEMENTS),
     layers=st.integers(1, 2),

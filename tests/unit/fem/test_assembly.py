@@ -15,6 +15,7 @@ from groundslab.fem.assembly import Pattern, assemble, build_pattern, find_congr
 from groundslab.fem.mesh import grid
 from groundslab.fem.sparse.elimination import elimination_order
 from groundslab.fem.sparse.symmetric import Symmetric
+from helpers.examples import examples
 from helpers.quads import quadrilateral
 
 
@@ -53,7 +54,7 @@ def dense(A: Symmetric) -> np.ndarray:
     return upper + np.triu(upper, 1).T
 
 
-@settings(max_examples=12, derandomize=True, deadline=None)
+@settings(max_examples=examples(12), derandomize=True, deadline=None)
 @given(
     shape=st.sampled_from([(1, 1), (2, 1), (2, 2), (3, 2)]),
     chunk=st.sampled_from([1, 40, 2**18]),
@@ -91,7 +92,7 @@ def test_assembly_equals_dense_loops(
 
 
 @given(seed=st.integers(0, 1000))
-@settings(max_examples=10, derandomize=True, deadline=None)
+@settings(max_examples=examples(10), derandomize=True, deadline=None)
 def test_unknowns_are_numbered_in_the_order_of_elimination(seed: int) -> None:
     """Numbers run without holes through the nodes by rank, field by field in a node, and are -1 where none exists."""
     rng = np.random.default_rng(seed)

@@ -19,6 +19,7 @@ from groundslab.solvers import contact, factor_reuse, factorization
 from groundslab.solvers.direct.protocols import Factor
 from groundslab.solvers.factor_reuse import CachedFactorization
 from helpers.bearings import NODES, any_bearings, entries, one_element, positive
+from helpers.examples import examples
 
 
 @pytest.fixture(autouse=True, params=[0, factor_reuse.MAX_UPDATE_RANK], ids=["factors", "updates"])
@@ -91,7 +92,7 @@ def by_brute_force(A: np.ndarray, f: np.ndarray, gaps: np.ndarray) -> np.ndarray
     return found[0]
 
 
-@settings(max_examples=25, derandomize=True, deadline=None)
+@settings(max_examples=examples(25), derandomize=True, deadline=None)
 @given(seed=st.integers(0, 10_000), condition=st.sampled_from([2.0, 100.0, 1e4]), all_closed=st.booleans())
 def test_all_unknowns_are_gaps(seed: int, condition: float, all_closed: bool) -> None:
     """Minimising 1/2 u.A u - f.u over u >= 0 is non-negative least squares of the Cholesky factor: nnls agrees."""
@@ -105,7 +106,7 @@ def test_all_unknowns_are_gaps(seed: int, condition: float, all_closed: bool) ->
     np.testing.assert_allclose(result.force, A @ wanted - f, atol=1e-7)
 
 
-@settings(max_examples=15, derandomize=True, deadline=None)
+@settings(max_examples=examples(15), derandomize=True, deadline=None)
 @given(seed=st.integers(0, 10_000), condition=st.sampled_from([2.0, 1e3]), gaps=st.integers(1, 6))
 def test_some_unknowns_are_gaps(seed: int, condition: float, gaps: int) -> None:
     """With unknowns free to go either way the solution is the only set of closed gaps that breaks no condition."""
@@ -116,7 +117,7 @@ def test_some_unknowns_are_gaps(seed: int, condition: float, gaps: int) -> None:
     np.testing.assert_allclose(result.u, by_brute_force(A, f, chosen), atol=1e-8)
 
 
-@settings(max_examples=10, derandomize=True, deadline=None)
+@settings(max_examples=examples(10), derandomize=True, deadline=None)
 @given(seed=st.integers(0, 10_000))
 def test_result_is_complementary(seed: int) -> None:
     """Gaps and forces are never negative, never both positive, and free unknowns are in equilibrium."""
@@ -195,7 +196,7 @@ def test_a_cycle_is_broken(matrix: np.ndarray, load: np.ndarray) -> None:
 
 
 @pytest.mark.slow
-@settings(max_examples=10, derandomize=True, deadline=None)
+@settings(max_examples=examples(10), derandomize=True, deadline=None)
 @given(seed=st.integers(0, 10_000))
 def test_every_start_leads_to_the_same_solution(seed: int) -> None:
     """The minimum is unique, so it cannot matter which gaps are closed at first."""
@@ -305,7 +306,7 @@ def test_steps_are_reported_as_they_happen() -> None:
 
 
 @pytest.mark.slow
-@settings(max_examples=60, derandomize=True, deadline=None)
+@settings(max_examples=examples(60), derandomize=True, deadline=None)
 @given(seed=st.integers(0, 10_000), condition=st.sampled_from([2.0, 1e3]), count=st.integers(1, 9))
 def test_bearings_of_every_kind_follow_their_law(seed: int, condition: float, count: int) -> None:
     """What is left over at an unknown is the force that its bearing's law gives for the way it is driven in."""

@@ -23,6 +23,7 @@ from groundslab.model.settings import Contact, Mesh
 from groundslab.model.shapes import Circle
 from groundslab.model.supports import PointSupport
 from groundslab.solvers.equilibrium import require_equilibrium
+from helpers.examples import examples
 
 LX, LY = 6.0, 4.0
 
@@ -144,7 +145,7 @@ def supported(side: str, x: np.ndarray, y: np.ndarray) -> np.ndarray:
 
 
 @pytest.mark.slow
-@settings(max_examples=40, derandomize=True, deadline=None)
+@settings(max_examples=examples(40), derandomize=True, deadline=None)
 @given(seed=st.integers(0, 100_000), side=st.sampled_from([None, "left", "right", "bottom", "top"]))
 def test_decision_equals_a_linear_program(seed: int, side: str | None) -> None:
     """Random pushes and pulls: the plate stands exactly where pressures all greater than zero balance the loads.

@@ -361,19 +361,47 @@ def way_around(around: Surroundings, region: Polygon) -> Array:
 
 def outside(legs: Array, region: BaseGeometry) -> Array:
     """Return the parts (k, 2, 2) of legs (l, 2, 2) outside a region, each in the direction of its leg."""
-    from shapely import difference, linestrings
+    from shapely import LineString, difference, linestrings
 
-    return legs if region.is_empty else directed(legs, difference(linestrings(legs), region))
+    if region.is_empty:
+        return legs
+    parts = linestrings(legs)
+    wholly, crossing = _wholly_or_in_part(parts, region)
+    parts[wholly] = LineString()
+    parts[crossing] = difference(parts[crossing], region)
+    return _directed(legs, parts)
 
 
-def directed(legs: Array, parts_of_each: np.typing.NDArray[Any]) -> Array:
+def within(legs: Array, region: BaseGeometry) -> Array:
+    """Return the parts (k, 2, 2) of legs (l, 2, 2) in a region, each in the direction of its leg."""
+    from shapely import LineString, intersection, linestrings
+
+    parts = linestrings(legs)
+    wholly, crossing = _wholly_or_in_part(parts, region)
+    parts[crossing] = intersection(parts[crossing], region)
+    parts[~(wholly | crossing)] = LineString()
+    return _directed(legs, parts)
+
+
+def _wholly_or_in_part(
+    lines: np.typing.NDArray[Any], region: BaseGeometry
+) -> tuple[np.typing.NDArray[np.bool_], np.typing.NDArray[np.bool_]]:
+    """Return which of lines (l,) lie wholly in a region, and which in part: few, and only these take long to cut."""
+    from shapely import covers, intersects, prepare
+
+    prepare(region)
+    wholly = covers(region, lines)
+    return wholly, intersects(region, lines) & ~wholly
+
+
+def _directed(legs: Array, parts_of_each: np.typing.NDArray[Any]) -> Array:
     """Return parts (k, 2, 2) of legs (l, 2, 2) by what is left of each (l,), in the direction of its leg."""
-    from shapely import get_coordinates, get_parts, length
+    from shapely import get_coordinates, get_parts, get_point, length
 
     parts, leg = get_parts(parts_of_each, return_index=True)
     solid = length(parts) > 0
-    leg = leg[solid]
-    ends = np.array([get_coordinates(part)[[0, -1]] for part in parts[solid]]).reshape(-1, 2, 2)
+    parts, leg = parts[solid], leg[solid]
+    ends = np.stack([get_coordinates(get_point(parts, end)) for end in (0, -1)], axis=1)
     along = ((ends[:, 1] - ends[:, 0]) * (legs[leg, 1] - legs[leg, 0])).sum(axis=1)
     return np.where(along[:, None, None] >= 0, ends, ends[:, ::-1])
 

@@ -79,7 +79,7 @@ def test_a_number_is_taken(steel: dict[str, Any]) -> None:
 @pytest.mark.parametrize("steel", [EN, SECOND], ids=["2004", "2023"])
 def test_sectors_without_a_moment(steel: dict[str, Any]) -> None:
     """In the middle all sectors carry nearly the same; with a moment the far side more, and never the less the more."""
-    by_sectors = [beta(raft(steel | {"beta": "sectors"}, M=M, size=0.25)) for M in (0.0, 50e3, 100e3, 200e3)]
+    by_sectors = [beta(raft(steel | {"beta": "sectors"}, M=M, size=0.25)) for M in (0.0, 50e3, 200e3)]
     assert 1.0 <= by_sectors[0] < 1.12
     assert by_sectors == sorted(by_sectors)
     assert by_sectors[-1] > 1.3

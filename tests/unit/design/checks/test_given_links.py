@@ -177,8 +177,8 @@ GERMANY = EN | {"annex": "Germany"}
     ("steel", "where"),
     [
         *[pytest.param(EN, where, id=f"EN 1992 {where}") for where in RAFTS],
-        *[pytest.param(GERMANY, where, id=f"Germany {where}") for where in ("inside", "at an edge")],
-        *[pytest.param(ACI, where, id=f"ACI 318 {where}") for where in ("near a corner", "beside an opening")],
+        *[pytest.param(GERMANY, where, id=f"Germany {where}") for where in ("inside",)],
+        *[pytest.param(ACI, where, id=f"ACI 318 {where}") for where in ("near a corner",)],
     ],
 )
 def test_links_that_are_proposed_are_enough(steel: dict[str, Any], where: str) -> None:

@@ -8,6 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from groundslab.design.demands.design_moments import principal_moments, wood_armer
+from helpers.examples import examples
 
 MOMENTS = st.floats(-100, 100).map(lambda value: round(value, 3))
 ANGLES = np.linspace(0, np.pi, 721)
@@ -24,7 +25,7 @@ def bending(m_x: float, m_y: float, m_xy: float) -> np.ndarray:
 
 
 @pytest.mark.slow
-@settings(max_examples=200, deadline=None, derandomize=True)
+@settings(max_examples=examples(200), deadline=None, derandomize=True)
 @given(MOMENTS, MOMENTS, MOMENTS)
 def test_principal_moments_are_the_extremes(m_x: float, m_y: float, m_xy: float) -> None:
     """m_1 and m_2 are the largest and smallest bending moments of all directions, m_1 in its own direction."""
@@ -36,7 +37,7 @@ def test_principal_moments_are_the_extremes(m_x: float, m_y: float, m_xy: float)
 
 
 @pytest.mark.slow
-@settings(max_examples=300, deadline=None, derandomize=True)
+@settings(max_examples=examples(300), deadline=None, derandomize=True)
 @given(MOMENTS, MOMENTS, MOMENTS)
 def test_design_moments_cover_every_direction(m_x: float, m_y: float, m_xy: float) -> None:
     """Reinforcement for the design moments resists sagging and hogging in all directions, and is never negative."""
@@ -49,7 +50,7 @@ def test_design_moments_cover_every_direction(m_x: float, m_y: float, m_xy: floa
 
 
 @pytest.mark.slow
-@settings(max_examples=60, deadline=None, derandomize=True)
+@settings(max_examples=examples(60), deadline=None, derandomize=True)
 @given(MOMENTS, MOMENTS, MOMENTS)
 def test_no_smaller_sum_would_do(m_x: float, m_y: float, m_xy: float) -> None:
     """Of all pairs on a fine net that cover every direction none has a smaller sum than the design moments."""

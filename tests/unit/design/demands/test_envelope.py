@@ -10,12 +10,13 @@ from hypothesis.extra.numpy import arrays
 
 from groundslab.design.demands.envelope import envelope
 from groundslab.errors import InputError
+from helpers.examples import examples
 
 VALUES = st.floats(-1e6, 1e6)
 
 
 @pytest.mark.slow
-@settings(max_examples=60, deadline=None, derandomize=True)
+@settings(max_examples=examples(60), deadline=None, derandomize=True)
 @given(st.lists(arrays(float, (4, 2), elements=VALUES), min_size=1, max_size=5))
 def test_no_combination_leaves_the_envelope(values: list[np.ndarray]) -> None:
     """All combinations lie between least and greatest, and those named are the ones that touch them."""

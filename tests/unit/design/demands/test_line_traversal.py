@@ -10,13 +10,14 @@ from shapely import LineString, Polygon, box
 
 from groundslab.design.demands.cuts.line_traversal import is_continuous, pieces
 from groundslab.fem.mesh import Mesh, local_coordinates
+from helpers.examples import examples
 from helpers.plates import crooked, parted, straight, without
 
 PLACES = st.tuples(st.floats(-1, 7).map(lambda v: round(v, 2)), st.floats(-1, 5).map(lambda v: round(v, 2)))
 
 
 @pytest.mark.slow
-@settings(max_examples=80, deadline=None, derandomize=True)
+@settings(max_examples=examples(80), deadline=None, derandomize=True)
 @given(a=PLACES, b=PLACES, seed=st.integers(0, 5))
 def test_pieces_fill_the_line_on_the_mesh(a: tuple, b: tuple, seed: int) -> None:
     """On crooked elements the pieces of a line add up to its length inside the outline, and lie in their elements."""

@@ -14,6 +14,7 @@ from groundslab.errors import InputError
 from groundslab.results.fields import PLATE_FIELDS
 from groundslab.results.plate_result import PlateResult
 from helpers.cuts import cut_plate
+from helpers.examples import examples
 from helpers.plates import crooked, parted, plate_of, straight, without
 
 FORMULAS = {
@@ -53,7 +54,7 @@ def by_hand(a: np.ndarray, b: np.ndarray) -> tuple[float, float, float]:
     )
 
 
-@settings(max_examples=60, deadline=None, derandomize=True)
+@settings(max_examples=examples(60), deadline=None, derandomize=True)
 @given(a=PLACES, b=PLACES)
 def test_a_cut_integrates_quadratic_fields_exactly(a: tuple, b: tuple) -> None:
     """On crooked elements, which hold quadratics exactly, forces and length are those of the formulas."""
@@ -65,7 +66,7 @@ def test_a_cut_integrates_quadratic_fields_exactly(a: tuple, b: tuple) -> None:
 
 
 @pytest.mark.slow
-@settings(max_examples=40, deadline=None, derandomize=True)
+@settings(max_examples=examples(40), deadline=None, derandomize=True)
 @given(a=PLACES, b=PLACES, part=st.floats(0.2, 0.8))
 def test_a_cut_from_behind_and_in_two(a: tuple, b: tuple, part: float) -> None:
     """Seen from the other end shear turns its sign, the moment does not; the forces of two halves add up."""

@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 
 from groundslab.design.demands.tilt import deflections_between, settlement_differences, tilt
 from groundslab.errors import InputError
+from helpers.examples import examples
 from helpers.plates import crooked, plate_of, straight
 
 SLOPES = st.floats(-5e-3, 5e-3)
@@ -16,7 +17,7 @@ POINTS = {"A": (0.5, 0.5), "B": (5.5, 0.5), "C": (5.5, 3.5), "D": (3.0, 2.0)}
 
 
 @pytest.mark.slow
-@settings(max_examples=40, deadline=None, derandomize=True)
+@settings(max_examples=examples(40), deadline=None, derandomize=True)
 @given(a=SLOPES, b=SLOPES, c=st.floats(0, 0.1))
 def test_a_plane_is_its_own_best_fit(a: float, b: float, c: float) -> None:
     """A plate that stays flat has the tilt of its plane and no deflection; pairs of points have no relative one."""

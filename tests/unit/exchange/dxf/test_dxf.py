@@ -31,6 +31,7 @@ from groundslab.geometry.plan import Ring
 from groundslab.model.loads.lines import LineLoad
 from groundslab.model.loads.load_types import AreaLoad, PointLoad, UniformLoad
 from groundslab.model.shapes import Circle, Polygon
+from helpers.examples import examples
 
 SQUARE = [(0, 0), (4, 0), (4, 3), (0, 3)]
 Draw = Callable[[Modelspace], object]
@@ -918,7 +919,7 @@ def everything(space: Modelspace) -> None:
     y=st.floats(-1000, 1000),
     mirrored=st.booleans(),
 )
-@settings(max_examples=15, deadline=None, derandomize=True)
+@settings(max_examples=examples(15), deadline=None, derandomize=True)
 def test_moving_the_drawing_moves_the_result(turn: float, x: float, y: float, mirrored: bool) -> None:
     """A drawing that is moved, turned or mirrored gives the same shapes and loads at the places moved so."""
     moved = Matrix44.scale(-1 if mirrored else 1, 1, 1) @ Matrix44.z_rotate(turn) @ Matrix44.translate(x, y, 0)
@@ -1097,7 +1098,7 @@ class TestOutput:
 
     @pytest.mark.slow
     @given(turn=st.sampled_from([0, 1, 2, 3]), x=st.floats(-100, 100), y=st.floats(-100, 100))
-    @settings(max_examples=15, deadline=None, derandomize=True)
+    @settings(max_examples=examples(15), deadline=None, derandomize=True)
     def test_columns_of_a_drawing_turned_by_right_angles(self, turn: int, x: float, y: float) -> None:
         """Rectangles stay rectangles and circles circles, wherever they are drawn; widths change places."""
         moved = Matrix44.z_rotate(turn * math.pi / 2) @ Matrix44.translate(x, y, 0)

@@ -30,7 +30,6 @@ WRITERS = {
     "left-handed, kip": Writer(left_handed=True, force="kip", reading={"moments": "about axes, left-handed"}),
 }
 TABLES = {"long": long_table, "wide": wide_table}
-FILES = ("csv", "decimal commas", "xlsx")
 
 
 #: Moments of the wind at a column, along a wall and across one, of which the example has none.
@@ -105,9 +104,17 @@ def assert_same_loads(model: Model, original: Model) -> None:
     assert model.replace(loads=original.loads, reactions=None) == original
 
 
-@pytest.mark.parametrize("file", FILES)
-@pytest.mark.parametrize("layout", TABLES)
-@pytest.mark.parametrize("writer", WRITERS)
+@pytest.mark.parametrize(
+    ("writer", "layout", "file"),
+    [
+        ("on the structure, z up", "long", "csv"),
+        ("on the structure, z up", "wide", "decimal commas"),
+        ("on the slab, z down", "wide", "xlsx"),
+        ("on the slab, z up, kip and ft", "long", "decimal commas"),
+        ("on the slab, z up, kip and ft", "wide", "csv"),
+        ("left-handed, kip", "long", "xlsx"),
+    ],
+)
 def test_its_own_table_gives_its_loads(writer: str, layout: str, file: str, tmp_path: Path) -> None:
     """Whatever layout, file, units, axes and signs: the same 32 loads to 1e-9; sums by case as added up by hand."""
     result = imported(tmp_path, WRITERS[writer], layout, file)
@@ -126,7 +133,7 @@ def test_its_own_table_gives_its_results(writer: str, walls: bool, tmp_path: Pat
     """Every field of every combination is that of the original to 1e-9 of its largest value."""
     original = house(walls)[0]
     assert walls or original == casefile.load(EXAMPLES / "house_raft.toml")
-    coarse = {"mesh": {"size": 1.0}}
+    coarse = {"mesh": {"size": 2.0}}
     expected = solve(original.replace(**coarse))
     results = solve(imported(tmp_path, WRITERS[writer], "wide", "xlsx", walls).model.replace(**coarse))
     assert list(results) == list(expected)

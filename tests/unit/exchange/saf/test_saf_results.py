@@ -35,7 +35,7 @@ NOT_COMPARED = {
 #: wall come as free lines without its thickness.
 SAME, OTHER = 1e-9, {"wind_turbine": 2e-5, "bearing_walls": 2e-3}
 #: Elements along the longer side.
-COARSE = 4
+COARSE = 3
 
 
 def coarse(model: gs.Model) -> gs.Mesh:

@@ -102,8 +102,7 @@ def test_flexible_circle_on_two_layers(ratio, radius):
     assert found == pytest.approx(1.5 * radius + rest, rel=1e-5)
 
 
-@pytest.mark.parametrize("ratio", RATIOS[::2] + RATIOS[-1:])
-@pytest.mark.parametrize(("a", "b"), [(0.1, 0.1), (1.0, 0.4), (3.0, 2.0)])
+@pytest.mark.parametrize(("ratio", "a", "b"), [(0.1, 1.0, 0.4), (1.0, 0.1, 0.1), (10.0, 3.0, 2.0), (100.0, 1.0, 0.4)])
 def test_mean_settlement_of_a_rectangle_on_two_layers(ratio, a, b):
     """A cell under its own pressure, small or large beside the layer's thickness, by an independent quadrature."""
     kernel = layered_kernel(tuple(two_layers(ratio)))

@@ -10,6 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from groundslab.fem.continuum.transfer import ElasticLayer, carry_down, compliances, surface_compliance
+from helpers.examples import examples
 from helpers.layered_ground import Layer, burmister, on_rigid_base, settlement
 
 SOFT, STIFF = ElasticLayer(10e6, 0.3, 2.0), ElasticLayer(80e6, 0.2, 5.0)
@@ -32,7 +33,7 @@ stacks = st.builds(
 )
 
 
-@settings(max_examples=40, deadline=None, derandomize=True)
+@settings(max_examples=examples(40), deadline=None, derandomize=True)
 @given(stacks, st.floats(-4, 1.7).map(lambda exponent: 10.0**exponent))
 def test_any_stack_settles_as_in_exact_arithmetic(stack, k):
     """With a contrast up to a million and layers down to a thousandth, T(k) loses no more than a few digits."""
@@ -107,7 +108,7 @@ def test_settlement_in_depth_is_that_of_the_surface_below():
     assert settled[1] == pytest.approx(surface_compliance([STIFF], k), rel=1e-9)
 
 
-@settings(max_examples=30, deadline=None, derandomize=True)
+@settings(max_examples=examples(30), deadline=None, derandomize=True)
 @given(stacks)
 def test_tractions_and_displacements_are_reciprocal(stack):
     """Every compliance is symmetric (Betti) and positive definite, at the top of every layer."""

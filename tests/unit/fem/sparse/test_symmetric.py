@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 from scipy.sparse import csr_array, triu
 
 from groundslab.fem.sparse.symmetric import Symmetric
+from helpers.examples import examples
 
 
 def sparse(seed: int, n: int = 12) -> tuple[Symmetric, np.ndarray]:
@@ -26,7 +27,7 @@ def full(A: Symmetric) -> np.ndarray:
     return upper + np.triu(upper, 1).T
 
 
-@settings(max_examples=20, derandomize=True, deadline=None)
+@settings(max_examples=examples(20), derandomize=True, deadline=None)
 @given(seed=st.integers(0, 10_000), share=st.sampled_from([0.0, 0.3, 1.0]))
 def test_products_parts_and_held_unknowns_are_those_of_the_full_matrix(seed: int, share: float) -> None:
     """The upper half knows the whole: product, diagonal, the part of some unknowns, rows and columns that are held."""

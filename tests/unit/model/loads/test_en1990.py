@@ -12,6 +12,7 @@ from groundslab.errors import InputError
 from groundslab.model.consistency import check_load_cases
 from groundslab.model.loads.en1990 import MOST_COMBINATIONS, check_combine, make_combinations
 from groundslab.model.loads.load_cases import Combination, Combine, LoadCase
+from helpers.examples import examples
 
 SETS = ("ultimate", "characteristic", "frequent", "quasi-permanent")
 
@@ -263,7 +264,7 @@ def by_brute_force(actions: list[LoadCase], limit_state: str) -> set[frozenset[t
 
 
 @pytest.mark.slow
-@settings(max_examples=100, deadline=None, derandomize=True)
+@settings(max_examples=examples(100), deadline=None, derandomize=True)
 @given(lists_of_actions(), st.sampled_from(SETS))
 def test_all_combinations_and_no_others(actions: list[LoadCase], limit_state: str) -> None:
     """Each combination comes exactly once, in the order of the actions."""

@@ -19,7 +19,7 @@ pytest.importorskip("jinja2")
 from groundslab.study.definition.setup import Limit
 from groundslab.study.evaluation import tables
 from groundslab.study.evaluation.samples import PURE, Input, Output, Samples, choose_unit
-from groundslab.study.report import page
+from groundslab.study.report import figures, page
 from groundslab.units import UNITS
 from groundslab.views.plots.style import PAGE_COLORS
 
@@ -101,6 +101,7 @@ def test_probability_of_failure_and_what_missing_results_could_change() -> None:
     assert row["target kept"] == ("yes" if wanted < 0.05 else "no")
 
 
+@pytest.mark.usefixtures("undrawn")
 @pytest.mark.parametrize("reason", ["NoEquilibrium", "NeutralEquilibrium"])
 def test_a_foundation_that_fails_counts_as_a_failure(reason: str) -> None:
     """Variants without equilibrium fail every limit state, at most and at least; statistics leave them out."""
@@ -122,7 +123,7 @@ def test_a_foundation_that_fails_counts_as_a_failure(reason: str) -> None:
     assert "The foundation of 2 of 400 variants fails" in made_page(made)
 
 
-@pytest.mark.slow
+@pytest.mark.usefixtures("undrawn")
 def test_an_infinite_output_fails_its_limit() -> None:
     """Where no finite amount would do, the limit state has failed; statistics are of the finite ones and say so."""
     made = monte_carlo(40)
@@ -139,7 +140,7 @@ def test_an_infinite_output_fails_its_limit() -> None:
     assert min(table(hurt, "exceedance")["probability"]) == pytest.approx(2 / 40, rel=1e-12)  # type: ignore[type-var]
 
 
-@pytest.mark.slow
+@pytest.mark.usefixtures("undrawn")
 def test_designs_by_words_have_a_figure() -> None:
     """A choice of words is named below the probabilities, as several choices are."""
     made = monte_carlo(30, designs=2)
@@ -306,13 +307,25 @@ class Checked(HTMLParser):
         assert self.open.pop() == tag
 
 
-def made_page(made: Samples, title: str = "A study") -> str:
-    """Return the page of a study with a map."""
+def made_page(made: Samples, title: str = "A study", *, maps: bool = False) -> str:
+    """Return the page of a study, with two maps if asked for."""
     nodes = np.array([[x, y] for y in (0.0, 1.0, 2.0) for x in (0.0, 2.0, 4.0)])
     elements = np.array([[0, 2, 8, 6, 1, 5, 7, 3, 4]])
     fields = [page.Map(f"mean of {title}", nodes, elements, np.arange(9.0) - 3, UNITS["mm"])]
     fields.append(page.Map("constant", nodes, elements, np.zeros(9), UNITS["%"]))
-    return page.html(made, page.Origin(title, (("seed", "3"), ("file", title))), fields)
+    return page.html(made, page.Origin(title, (("seed", "3"), ("file", title))), fields if maps else [])
+
+
+@pytest.fixture(scope="module")
+def of_two_designs() -> str:
+    """Return the page of a study of two designs, with maps."""
+    return made_page(monte_carlo(80, designs=2), maps=True)
+
+
+@pytest.fixture
+def undrawn(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let figures be empty, where a test is about the words beside them."""
+    monkeypatch.setattr(figures, "_render", lambda *_, **__: "<svg></svg>")
 
 
 @pytest.mark.slow
@@ -320,7 +333,7 @@ def made_page(made: Samples, title: str = "A study") -> str:
 def test_the_page_is_whole_and_loads_nothing(kind: str) -> None:
     """Every element is closed, ids are unique, references resolve, no script runs, nothing comes from elsewhere."""
     u = np.random.default_rng(2).random((40 if kind == "saltelli" else 5, 2))
-    text = made_page(sample(kind, u))
+    text = made_page(sample(kind, u), maps=kind == "list")
     reader = Checked()
     reader.feed(text)
     assert not reader.open
@@ -336,7 +349,7 @@ def test_the_page_is_whole_and_loads_nothing(kind: str) -> None:
 @pytest.mark.slow
 def test_texts_of_the_study_are_escaped() -> None:
     """A title, a name or a reason that looks like markup or like a formula stands in the page as it was written."""
-    text = made_page(monte_carlo(60, missing=(5,), name=EVIL), EVIL)
+    text = made_page(monte_carlo(60, missing=(5,), name=EVIL), EVIL, maps=True)
     reader = Checked()
     reader.feed(text)
     assert not reader.open
@@ -360,21 +373,19 @@ def test_long_names_leave_room_for_the_figures(kind: str) -> None:
 
 
 @pytest.mark.slow
-def test_figures_are_whole_svg() -> None:
+def test_figures_are_whole_svg(of_two_designs: str) -> None:
     """Each figure is an SVG element by itself, the same each time, with the page's colours instead of its own."""
-    made = monte_carlo(80, designs=2)
-    text = made_page(made)
-    figures = re.findall(r"<svg.*?</svg>", text, re.DOTALL)
-    assert len(figures) == 8
-    for each in figures:
+    drawn = re.findall(r"<svg.*?</svg>", of_two_designs, re.DOTALL)
+    assert len(drawn) == 8
+    for each in drawn:
         ElementTree.fromstring(each)
         assert not any(colour in each for colour in PAGE_COLORS)
         assert "var(--" in each
         assert "mathdefault" not in each
-    assert re.findall(r"<svg.*?</svg>", made_page(made), re.DOTALL) == figures
+    assert re.findall(r"<svg.*?</svg>", made_page(monte_carlo(80, designs=2), maps=True), re.DOTALL) == drawn
 
 
-@pytest.mark.slow
+@pytest.mark.usefixtures("undrawn")
 def test_a_study_without_any_result_has_a_page() -> None:
     """Where no variant has a result, the page says so and why; where all foundations fail, that this is certain."""
     text = made_page(monte_carlo(12, missing=tuple(range(12))))
@@ -386,7 +397,7 @@ def test_a_study_without_any_result_has_a_page() -> None:
 
 
 @pytest.mark.slow
-def test_the_page_has_the_colours_of_the_other_pages() -> None:
+def test_the_page_has_the_colours_of_the_other_pages(of_two_designs: str) -> None:
     """Every colour that the page shares with report and workbench is theirs, light and dark, where they are at hand."""
     theme = ROOT / "web" / "src" / "viewer" / "shared" / "theme.css"
     if not theme.exists():
@@ -397,12 +408,12 @@ def test_the_page_has_the_colours_of_the_other_pages() -> None:
     assert len(shared) > 10
     pairs = re.findall(r"(--gs-[\w-]+): light-dark\((#\w+), (#\w+)\);", theme.read_text(encoding="utf-8"))
     assert shared <= {(name, color) for name, *colors in pairs for color in colors}
-    used = set(re.findall(r"var\((--[\w-]+)\)", own + made_page(monte_carlo(80, designs=2))))
+    used = set(re.findall(r"var\((--[\w-]+)\)", own + of_two_designs))
     assert {"--gs-ink", "--gs-line", "--gs-bad"} <= used
     assert used <= {name for name, _ in pattern.findall(own)} | {"--second"}
 
 
-@pytest.mark.slow
+@pytest.mark.usefixtures("undrawn")
 def test_an_unfinished_study_says_so() -> None:
     """A page made while the study runs says how many variants are missing."""
     made = monte_carlo(20)

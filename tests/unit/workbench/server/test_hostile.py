@@ -18,6 +18,7 @@ import pytest
 
 from groundslab import workbench
 from helpers.browsing import SMALL, Server
+from helpers.examples import examples
 
 pytestmark = pytest.mark.slow
 
@@ -98,7 +99,7 @@ def test_edits_of_anything(client: Client) -> None:
     text = client.state()["text"]
     choose = client.random.choice
     taken = 0
-    for _ in range(300):
+    for _ in range(examples(300)):
         edit = {"op": choose(["set", "length", "add", "remove", "rename", "reorder", "text", "move", "", 5])}
         edit["path"] = choose([["plate", "E"], ["loads", 0], ["columns", 0, "name"], ["loads"], client.anything()])
         edit |= {name: client.anything() for name in ("value", "name", "at", "by") if choose([True, False])}
@@ -106,7 +107,7 @@ def test_edits_of_anything(client: Client) -> None:
             taken += 1
             client.post("/api/undo", {})
             assert client.state()["text"] == text
-    assert taken > 20, "some have a meaning"
+    assert taken > 6, "some have a meaning"
 
 
 def test_every_route_with_anything(client: Client) -> None:

@@ -15,7 +15,7 @@ import numpy as np
 
 from groundslab.arrays import Array
 from groundslab.design.demands.perimeter_loads import CORNER_REACH
-from groundslab.design.demands.perimeters import area_of, directed, outside
+from groundslab.design.demands.perimeters import area_of, outside, within
 from groundslab.fem import load_vectors
 from groundslab.fem.mesh import Mesh
 from groundslab.results.results import CombinationResult
@@ -71,10 +71,8 @@ def thinner_parts(
 
 def counted(legs: Array, parts: Sequence[ThinnerPart], share: Share, distance: float, d: float) -> Array:
     """Return what counts of the legs (l, 2, 2) [m] of a perimeter at a distance, d the depth where it starts [m]."""
-    from shapely import intersection, linestrings
-
     for part in parts:
-        thinner = directed(legs, intersection(linestrings(legs), part.region))
+        thinner = within(legs, part.region)
         if len(thinner):
             dashes = _dashes(thinner, share(part, distance, d), DASH * d)
             legs = np.concatenate([outside(legs, part.region), dashes])

@@ -21,6 +21,7 @@ from groundslab.model.design.bars import Bars
 from groundslab.model.design.laid_bars import laid_bars
 from groundslab.model.model import Model
 from groundslab.results.fields import LAYERS
+from helpers.examples import examples
 from helpers.solve_once import solve_once
 
 #: 4 cm2/m.
@@ -28,7 +29,7 @@ BARS = Bars(diameter=0.01, spacing=math.pi * 0.005**2 / 4e-4)
 AREA = 4e-4
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=examples(60), deadline=None)
 @given(
     values=st.lists(st.integers(0, 9), min_size=30, max_size=30), over=st.sampled_from([1.5, 2.0, 3.0]),
     hole=st.tuples(st.integers(0, 5), st.integers(0, 4)),

@@ -13,6 +13,7 @@ from hypothesis import strategies as st
 from groundslab.arrays import Array
 from groundslab.design.bars.proposal.covering import Field, Options, Zone, cover
 from groundslab.design.bars.proposal.plan_grid import Window
+from helpers.examples import examples
 
 #: Bars of 2, 4 and 8 cm2/m that are anchored over 1, 2 and 3 cells.
 OPTIONS = Options(area=np.array([2e-4, 4e-4, 8e-4]), anchorage=np.array([1.0, 2.0, 3.0]), least=(1, 1))
@@ -55,7 +56,7 @@ def needs(draw: st.DrawFn, most: tuple[int, int] = (9, 7)) -> Array:
     return 1e-6 * np.array(values, dtype=float).reshape(m, w)
 
 
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=examples(150), deadline=None)
 @given(
     excess=needs(), most=st.integers(1, 9), price=st.floats(0, 1e-3), every=st.integers(1, 3), least=st.integers(1, 3),
     blocks=st.integers(2, 9), holes=st.lists(st.tuples(st.integers(0, 8), st.integers(0, 6)), max_size=4),
@@ -106,7 +107,7 @@ def best_rectangle(excess: Array, window: Window) -> float:
     return float(least)
 
 
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=examples(25), deadline=None)
 @given(excess=needs((4, 4)), price=st.sampled_from([1e-3, 3e-4]))
 def test_no_division_by_cuts_is_better(excess: Array, price: float) -> None:
     """Of all rectangles in all divisions by cuts from border to border, tried one by one, none takes less."""

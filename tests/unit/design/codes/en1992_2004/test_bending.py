@@ -13,6 +13,7 @@ from groundslab.design.codes.en1992_2004.bending import Axes, Reinforcement, dee
 from groundslab.design.codes.en1992_2004.materials import Concrete, Steel
 from groundslab.design.demands.design_moments import DesignMoments, wood_armer
 from groundslab.errors import InputError
+from helpers.examples import examples
 
 B500 = Steel(500e6)
 C30 = Concrete(30e6)
@@ -165,7 +166,7 @@ def carried(f_ck: float, alpha: float, f_yk: float, d: float, d_2: float, A_s: f
 
 
 @pytest.mark.slow
-@settings(max_examples=300, deadline=None, derandomize=True)
+@settings(max_examples=examples(300), deadline=None, derandomize=True)
 @given(
     f_ck=st.floats(12, 90),
     alpha=st.sampled_from([0.85, 1.0]),
@@ -187,7 +188,7 @@ def test_section_carries_its_moment(f_ck: float, alpha: float, f_yk: float, d: f
 
 
 @pytest.mark.slow
-@settings(max_examples=100, deadline=None, derandomize=True)
+@settings(max_examples=examples(100), deadline=None, derandomize=True)
 @given(f_ck=st.floats(12, 90), d=st.floats(0.1, 2.0), ratio=st.floats(0.03, 0.3), xi=st.floats(0.1, 0.9))
 def test_limit_is_passed_without_a_jump(f_ck: float, d: float, ratio: float, xi: float) -> None:
     """Just below and just above the moment at the limit the areas are the same, and they never shrink with m."""

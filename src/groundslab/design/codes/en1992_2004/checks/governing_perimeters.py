@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
-from functools import partial
+from functools import cache, partial
 from itertools import pairwise
 from typing import Literal, NamedTuple
 
@@ -39,7 +39,14 @@ from groundslab.design.demands.perimeter_loads import (
     PunchingShear,
 )
 from groundslab.design.demands.perimeter_shear import PerimeterShear
-from groundslab.design.demands.perimeters import Perimeter, SketchedPerimeter, Surroundings, perimeter_at, surroundings
+from groundslab.design.demands.perimeters import (
+    Perimeter,
+    SketchedPerimeter,
+    Surroundings,
+    perimeter_at,
+    surroundings,
+    within,
+)
 from groundslab.design.demands.zones.thicker_zones import ZoneForce, zone_forces
 from groundslab.design.demands.zones.thinner_slab import ThinnerPart, counted, thinner_parts
 from groundslab.design.rules.combinations import ultimate_results
@@ -151,13 +158,10 @@ class _Site:
 
     def _leaves_zone(self, line: Perimeter, distance: float) -> bool:
         """Return whether a perimeter, but for the first one, lies wholly outside of the zone."""
-        from shapely import MultiLineString
-
         if self.zone is None or distance <= STEPS[0] * self.d:
             return False
-        return bool(
-            MultiLineString(list(line.legs)).intersection(self.zone.footprint.region).length < SAME_DISTANCE * self.d
-        )
+        inside = line_properties.total_length(within(line.legs, self.zone.footprint.region))
+        return inside < SAME_DISTANCE * self.d
 
     def control(self, results: CombinationResult, distance: float) -> ControlPerimeter | str:
         """Return the perimeter at a distance [m] from the face with what is inside, or why there is none."""
@@ -372,7 +376,7 @@ def _demand(results: CombinationResult, site: _Site, face: ControlPerimeter | st
     return Demand(
         *about, v_Rd_c, at_face, stresses, ratio=ratio, bars=site.bars, pulls=site.punching.pulls,
         place=site.punching.place, thickness=site.punching.thickness(results),
-        changed=partial(_changed, results, site),
+        changed=cache(partial(_changed, results, site)),
     )  # fmt: skip
 
 
@@ -388,7 +392,10 @@ class _InThickerSlab(PunchingForce):
 
 
 def _changed(results: CombinationResult, site: _Site, thicker: float, wider: float) -> Demand | None:
-    """Return the demand of a column or pile where the slab is thicker and it is wider [m]; None where there is none."""
+    """Return the demand of a column or pile where the slab is thicker and it is wider [m]; None where there is none.
+
+    On all perimeters on which links are limited.
+    """
     punching = site.punching
     if punching.at_zone:
         return None
@@ -399,7 +406,13 @@ def _changed(results: CombinationResult, site: _Site, thicker: float, wider: flo
     }
     column = punching.column.model_copy(update=sides)
     other = _InThickerSlab(column, punching.by_case, punching.support, punching.pulls, thicker)
-    (demand,), _ = _largest([results], _site(results, other, site.steel, () if site.zone is None else (site.zone,)))
+    there = _site(results, other, site.steel, () if site.zone is None else (site.zone,))
+    if materials(site.steel)[0].annex.face:
+        # links are limited at the face and on the outermost perimeter alone
+        distances, _ = _first_distances(there)
+        demand = _demand(results, there, there.control(results, 0.0), distances[-1:])
+    else:
+        (demand,), _ = _largest([results], there)
     return demand if demand.around else None
 
 
