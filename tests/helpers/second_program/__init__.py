@@ -21,8 +21,9 @@ __all__ = ["ACI", "DE", "EN", "SECOND", "Line", "follow"]
 
 #: What comes out of the analysis: forces, moments, pressures, settlements and sums of them over the plan.
 ANALYSIS = {
-    "q_x", "q_y", "m_x", "m_y", "m_xy", "m", "N_Ed", "N_u", "q_o", "p_m", "A_i", "M_c,1", "M_c,2", "M_o,1", "M_o,2",
-    "M_p,1", "M_p,2", "N_o,0", "N_p,0", "v_m", "a_p", "v_l", "V", "A_req", "beta_s", "beta_e_s", "N_o,l", "N_p,l",
+    "q_x", "q_y", "m_x", "m_y", "m_xy", "m", "N_Ed", "N_u", "p_m", "A_i", "M_c,1", "M_c,2", "e_o,1", "e_o,2", "e_p,1",
+    "e_p,2", "p_m,0", "A_i,0", "p_m,l", "A_i,l", "h_i", "h_i,0", "h_i,l", "theta_1", "v_m", "a_p", "v_l", "V", "A_req",
+    "beta_s", "beta_e_s",
     "u_l", "u_i", "a_l", "a_i", "w", "w_1", "w_2", "p", "f", "e", "S_xx", "S_yy", "S_xy", "S_xw", "S_yw",
 }  # fmt: skip
 #: What the case says: sizes, bars, places and limits.
@@ -31,6 +32,8 @@ CASE = {
     "x_2", "phi_w", "d_w", "n_w", "a_F", "w_max", "w_max,lim", "c_s", "p_max,lim", "omega_lim", "beta_lim", "x_1",
     "y_1", "y_2", "f_ck", "f_c", "f_c'", "f_yk", "f_y", "f_y'", "gamma_C", "gamma_S", "gamma_V", "D_lower", "k_tc",
     "b_1", "L_1", "t", "alpha", "c_c", "cot_max", "Delta_c,dev", "c_nom", "beta", "s_r",
+} | {
+    f"{name}{k}{of}" for name in ("gamma_", "gamma_s,", "Q_") for k in range(1, 5) for of in ("", ",0", ",l")
 }  # fmt: skip
 
 

@@ -70,7 +70,7 @@ def test_each_arc_has_the_center_and_the_modulus_of_a_quarter_of_a_circle() -> N
         assert arc.moduli == pytest.approx(arc.length * np.abs(arc.middle))
         # about its own radii a quarter has r^3 pi / 4, moved by X: + 2 X r^2 + X^2 r pi / 2
         I_1 = math.pi / 4 * A**3 + 2 * X * A**2 + X**2 * QUARTER
-        assert arc.second[0, 0] == pytest.approx(I_1, rel=3 * CHORDS)
+        assert arc.second[0, 0] == pytest.approx(I_1, rel=5 * CHORDS)
 
 
 def test_at_an_edge_it_runs_straight_out() -> None:

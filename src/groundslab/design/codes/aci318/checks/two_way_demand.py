@@ -15,6 +15,7 @@ from groundslab.design.codes.aci318.materials_of_case import materials
 from groundslab.design.demands import line_properties, perimeter_loads
 from groundslab.design.demands.by_plate import plate_under
 from groundslab.design.demands.perimeter_loads import (
+    CaseInside,
     MomentParts,
     PerimeterLoads,
     Places,
@@ -68,6 +69,7 @@ class TwoWay:
     pulls: bool = False  # whether a column pulls up, or a pile down
     parts: MomentParts | None = field(default=None, repr=False, compare=False)  # of the transfer's moments
     inside: float = 0.0  # area inside [m2]
+    cases: tuple[CaseInside, ...] = field(default=(), repr=False, compare=False)  # what load cases have there
     widths: tuple[float, float] | None = None  # of a column or pile, along an edge and across [m]
     setbacks: tuple[float, ...] = ()  # of the edges that the section ends at [m]
     wall: WallSite | None = field(default=None, repr=False, compare=False)  # of an end or a corner of walls
@@ -223,6 +225,7 @@ def demand_on(
         transfer,
         parts=shear.parts.along(transfer.axes),
         inside=section.loads.size,
+        cases=shear.cases,
         widths=section.widths,
         setbacks=section.setbacks,
         line=section.line,

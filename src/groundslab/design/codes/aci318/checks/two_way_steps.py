@@ -20,6 +20,7 @@ from groundslab.design.rules.calculation import (
     BY_CHORDS,
     MEGA,
     Step,
+    axis_step,
     counted_length,
     depth_steps,
     from_below,
@@ -47,7 +48,8 @@ def steps(demand: TwoWay, steel: Reinforcement, support: Support) -> Iterator[St
     else:
         inside = demand.force, demand.others, demand.pressure, demand.edge
         symbols, relieves = ("N_u", "V_u"), steel.line_force_relieves
-        yield from punching_force(what, symbols, inside, demand.inside, demand.V_u, "22.6.4.1", relieves=relieves)
+        there = demand.inside, demand.cases
+        yield from punching_force(what, symbols, inside, there, demand.V_u, "22.6.4.1", relieves=relieves)
         yield from _length(demand)
     if demand.transfer is not None:
         yield from _transfer(demand, demand.transfer, what)
@@ -123,12 +125,15 @@ def _stirrups(demand: TwoWay, concrete: Concrete, bars: Steel) -> Iterator[Step]
 def _transfer(demand: TwoWay, transfer: aci318.Transfer, what: tuple[Support, bool]) -> Iterator[Step]:
     """Yield the moments that shear transfers, at the place where v_u is largest."""
     assert demand.parts is not None
+    yield axis_step(transfer.axes)
     for n, extent in zip((1, 2), transfer.extents, strict=True):
         yield Step(
             Message("extent of the whole section along axis {n}", n=n), f"b_{n}", float(extent), "m", clause="8.4.2.2.2"
         )
     for n in (1, 2):
-        yield from moment_steps(n, demand.parts, ("N_u", demand.force), float(transfer.moments[n - 1]), what)
+        sums = demand.others, demand.pressure, demand.edge
+        moment = float(transfer.moments[n - 1])
+        yield from moment_steps(n, demand.parts, ("N_u", demand.force), moment, what, sums=sums)
         formula = aci318.FORMULAS[f"gamma_v{n}"]
         share = float(transfer.shares[n - 1])
         yield Step("share of it that shear transfers", f"gamma_v{n}", share, "", formula, "8.4.4.2.2")

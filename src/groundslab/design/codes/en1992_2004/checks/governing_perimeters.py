@@ -446,6 +446,7 @@ def _stress(results: CombinationResult, site: _Site, control: ControlPerimeter) 
         shear.parts.along(control.course.frame),
         way=raised.way,
         outward=raised.outward,
+        cases=shear.cases,
         other_betas=lambda: {} if alone else _other_ways(results, site, control, shear, pushing[1:]),
     )
 

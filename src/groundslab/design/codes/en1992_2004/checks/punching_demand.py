@@ -10,7 +10,7 @@ from typing import NamedTuple
 from groundslab.arrays import Array
 from groundslab.design.codes.en1992_2004.punching import outer_perimeter
 from groundslab.design.demands.line_properties import Course
-from groundslab.design.demands.perimeter_loads import MomentParts, PerimeterLoads
+from groundslab.design.demands.perimeter_loads import CaseInside, MomentParts, PerimeterLoads
 from groundslab.design.demands.perimeter_shear import PerimeterShear
 from groundslab.design.demands.perimeters import SketchedPerimeter
 from groundslab.design.rules.wall_ends import WallSite
@@ -85,6 +85,7 @@ class Stress:
     other_betas: Callable[[], Mapping[str, float]] = field(
         default=dict, repr=False, compare=False
     )  # beta by other ways
+    cases: tuple[CaseInside, ...] = field(default=(), repr=False, compare=False)  # what load cases have inside
 
 
 @dataclass(frozen=True, slots=True)

@@ -36,8 +36,10 @@ from groundslab.design.rules.calculation import (
     MEGA,
     SAME,
     Step,
+    axis_step,
     depth_steps,
     from_below,
+    inside_steps,
     length_by_figures,
     moment_steps,
     punching_force,
@@ -65,7 +67,7 @@ def steps(demand: Demand, steel: Reinforcement, support: Support) -> Iterator[St
     yield Step(words, "a", stress.distance, "m", clause="6.4.4(2)")
     if stress.control is not None:
         inside = demand.force, stress.others, stress.pressure, stress.edge
-        size, relieves = stress.control.loads.size, steel.line_force_relieves
+        size, relieves = (stress.control.loads.size, stress.cases), steel.line_force_relieves
         symbols, clause = ("N_Ed", "V_Ed"), "6.4.4(2), 6.48"
         yield from punching_force(what, symbols, inside, size, stress.V_Ed, clause, relieves=relieves)
         yield from _length(stress.control)
@@ -166,6 +168,8 @@ def _beta_by_moments(
         )
         return
     edge = stress.beta is not None and not math.isclose(stress.beta, max(least, general), rel_tol=SAME)
+    if not of:
+        yield axis_step(control.course.frame)
     for n in (1,) if edge else (1, 2):
         yield from _of_axis(n, stress, control, what, own, of)
     if stress.beta is None:
@@ -187,7 +191,8 @@ def _of_axis(
 ) -> Iterator[Step]:
     """Yield the moment along axis n = 1 or 2, the share of it that shear transfers, and the perimeter's modulus."""
     assert stress.parts is not None
-    yield from moment_steps(n, stress.parts, own, stress.moments[n - 1], what, of)
+    sums = stress.others, stress.pressure, stress.edge
+    yield from moment_steps(n, stress.parts, own, stress.moments[n - 1], what, of, sums)
     other = 3 - n
     formula = en1992.FORMULAS["k_n"].replace("c_n", f"c_{n}").replace("c_m", f"c_{other}")
     share, W = float(control.shares[n - 1]), float(control.moduli[n - 1])
@@ -355,8 +360,8 @@ def _face(
     """Yield the stress at the face and what the concrete bears there."""
     assert face.outer is not None
     signs = ("-", "+") if from_below(what) else ("+", "-")
-    yield Step("other loads on the column's area", "N_o,0", face.others / MEGA, "MN")
-    yield Step("pressure of the ground below it", "N_p,0", face.pressure / MEGA, "MN")
+    size = control.loads.size if face.control is None else face.control.loads.size
+    yield from inside_steps((face.others, face.pressure), size, face.cases, ",0")
     without = demand.force + (face.others - face.pressure) * (-1.0 if from_below(what) else 1.0)
     formula = f"N_Ed {signs[0]} N_o,0 {signs[1]} N_p,0"
     follows = abs(without - face.V_Ed) <= SAME * max(abs(without), demand.force)

@@ -20,9 +20,11 @@ from groundslab.design.rules.calculation import (
     BY_CHORDS,
     MEGA,
     Step,
+    axis_step,
     counted_length,
     depth_steps,
     from_below,
+    inside_steps,
     length_by_figures,
     moment_steps,
     punching_force,
@@ -49,7 +51,8 @@ def steps(demand: Punching, steel: Reinforcement, support: Support) -> Iterator[
     else:
         inside = demand.force, demand.others, demand.pressure, demand.edge
         symbols, relieves = ("N_Ed", "V_Ed"), steel.line_force_relieves
-        yield from punching_force(what, symbols, inside, demand.inside, demand.V_Ed, "8.4.2(6)", relieves=relieves)
+        there = demand.inside, demand.cases
+        yield from punching_force(what, symbols, inside, there, demand.V_Ed, "8.4.2(6)", relieves=relieves)
         assert demand.section is not None
         yield from _length(demand, demand.section)
     if demand.section is None:
@@ -140,11 +143,13 @@ def _beta(demand: Punching, section: CriticalSection, what: tuple[Support, bool]
     """Yield how beta_e follows from the support's eccentricity, or what moments add where nothing pushes."""
     assert demand.parts is not None
     support, _ = what
+    yield axis_step(section.axes)
     moments, at_zone = demand.beta_e is None, support == "zone"
     for n, e, width in zip((1, 2), demand.eccentricities, section.widths, strict=True):
         if moments or at_zone:
             M = e if moments else e * demand.V_Ed
-            yield from moment_steps(n, demand.parts, ("N_Ed", demand.force), M, what)
+            sums = demand.others, demand.pressure, demand.edge
+            yield from moment_steps(n, demand.parts, ("N_Ed", demand.force), M, what, sums=sums)
         else:
             own, away = float(demand.parts.own[n - 1]), float(demand.parts.away[n - 1])
             words = Message("moment of the {support} itself along axis {n}", support=support, n=n)
@@ -212,8 +217,8 @@ def _stress_with_links(demand: Punching) -> Iterator[Step]:
         demand.wall is None and abs(demand.force + way * (others - pressure) - demand.V_links) < 1e-6 * demand.force
     )
     if pushing and demand.beta_e is not None:
-        yield Step("other loads up to the perimeter", "N_o,l", others / MEGA, "MN")
-        yield Step("pressure of the ground up to the perimeter", "N_p,l", pressure / MEGA, "MN")
+        assert demand.section is not None
+        yield from inside_steps((others, pressure), demand.section.inside.size, demand.cases_links, ",l")
         signs = ("-", "+") if way < 0 else ("+", "-")
         of_force = f"N_Ed {signs[0]} N_o,l {signs[1]} N_p,l"
         yield Step("force that punches with links", "V_l", demand.V_links / MEGA, "MN", of_force, "8.4.2(6)")
