@@ -30,7 +30,7 @@ _TOKENS = re.compile(
     rf"|(?P<symbol>{SYMBOL.pattern})|(?P<rest>[^^A-Za-z\d]+|[\d.]+(?![\d.e])|.)"
 )
 #: What is said below the sketch of a perimeter.
-SKETCH = "Lengths in m, of arcs with the radius. What openings and the limits of straight parts take off is dashed."
+SKETCH = "Lengths in m, of arcs with the radius; dashed: what does not count, and tangents."
 #: What is said of tables of pieces.
 PIECES = (
     "Beside the sketch of a perimeter are its pieces, each from where to where, along axes 1 and 2 from the center of "
