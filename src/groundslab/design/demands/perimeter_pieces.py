@@ -39,6 +39,7 @@ class WeightedLegs(NamedTuple):
     legs: Array  # (l, 2, 2) [m]
     share: float = 1.0
     longest: float = np.inf  # [m]
+    shear: Array | None = None  # (l,): of the slab across each of them [N], if it is known
 
     @property
     def counted(self) -> Array:
@@ -67,6 +68,7 @@ class Piece(NamedTuple):
     second: Array  # (2, 2): int e e^T dl [m3]
     along: Array  # (2, 2): int t t^T dl, t along the piece [m]
     legs: Array  # (l, 2, 2): all of it on the plan [m]
+    shear: float | None = None  # of the slab across it [N], if it is known
 
 
 def pieces_of(parts: Sequence[WeightedLegs], axes: Array, origin: Array) -> list[Piece]:
@@ -86,11 +88,16 @@ def pieces_of(parts: Sequence[WeightedLegs], axes: Array, origin: Array) -> list
         return []
     center = centroid(whole)
     return [
-        _piece(part._replace(legs=part.legs[order]), axes, origin, center)
+        _piece(_in_order(part, order), axes, origin, center)
         for part in parts
         if len(part.counted)
         for order in _orders(part.legs)
     ]
+
+
+def _in_order(part: WeightedLegs, order: Integers) -> WeightedLegs:
+    """Return some of the legs of a part, in an order."""
+    return part._replace(legs=part.legs[order], shear=None if part.shear is None else part.shear[order])
 
 
 def _piece(part: WeightedLegs, axes: Array, origin: Array, center: Array) -> Piece:
@@ -107,6 +114,7 @@ def _piece(part: WeightedLegs, axes: Array, origin: Array, center: Array) -> Pie
         axes @ second_moments(counted, center) @ axes.T,
         axes @ directions(counted) @ axes.T,
         legs,
+        None if part.shear is None else float(part.shear.sum()),
     )
 
 

@@ -118,9 +118,10 @@ def _figure(model: Model, sketch: SketchedPerimeter) -> Figure:
     for number, piece in enumerate(pieces, 1):
         dimensions.write(f"{number}: {_dimension(piece)}", [*_beside(piece)], style.LOAD)
     for cut in cuts:
-        dimensions.write(f"{_run(cut):.3f}", [*_beside(cut)], style.GREY)
+        dimensions.write(_millimeters(total_length(cut.legs)), [*_beside(cut)], style.GREY)
     for end in ends:
-        dimensions.write(f"{np.linalg.norm(end - sketch.center):.3f}", [*_along(sketch.center, end)], style.GREY)
+        length = _millimeters(float(np.linalg.norm(end - sketch.center)))
+        dimensions.write(length, [*_along(sketch.center, end)], style.GREY)
     return page.finish(float(size[1]), signed=False)
 
 
@@ -141,8 +142,9 @@ def _draw_slab(axes: Axes, model: Model, sketch: SketchedPerimeter) -> Iterator[
             if zone.thickness is not None:
                 for part in get_parts(intersection(zone.shape.ring().polygon(chord).exterior, area)):
                     axes.plot(*get_coordinates(part).T, color=style.INK, linewidth=0.5, zorder=3)
-    for column in model.columns:
-        places = np.array(column.ring().flat(chord))
+    walls = [] if sketch.parts[0].shear is None else get_parts(line.loaded)
+    bases = [get_coordinates(wall.exterior) for wall in walls]
+    for places in (*(np.array(column.ring().flat(chord)) for column in model.columns), *bases):
         axes.fill(*places.T, facecolor=style.FAINT, edgecolor=style.INK, linewidth=0.6, zorder=4)
         yield np.vstack([places, places[:1]])
 
@@ -162,13 +164,13 @@ def _draw_axes(dimensions: _Dimensions, sketch: SketchedPerimeter) -> None:
 
 def _dimension(piece: Piece) -> str:
     """Return the length of a piece on the plan, and the radius of an arc in brackets [m]."""
-    length = f"{_run(piece):.3f}"
-    return length if piece.radius is None or np.isnan(piece.radius) else f"{length} ({piece.radius:.3f})"
+    length = _millimeters(total_length(piece.legs))
+    return length if piece.radius is None or np.isnan(piece.radius) else f"{length} ({_millimeters(piece.radius)})"
 
 
-def _run(piece: Piece) -> float:
-    """Return the length of a piece on the plan [m]."""
-    return total_length(piece.legs)
+def _millimeters(length: float) -> str:
+    """Return a length in meters to the millimeter, the same of two that differ by rounding."""
+    return f"{round(length, 6):.3f}"
 
 
 def _beside(piece: Piece) -> Iterator[tuple[Array, Array]]:

@@ -8,6 +8,9 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+from groundslab.design.codes.en1992_2004.checks.punching_demand import OUTERMOST
+from groundslab.design.rules.calculation import MEGA
+from groundslab.design.rules.wall_ends import COUNTED
 from groundslab.messages import Message
 from groundslab.units import format_number
 from groundslab.views.report.table_layout import Cell, TableHeader, TableLayout
@@ -17,8 +20,12 @@ if TYPE_CHECKING:
     from groundslab.design.demands.perimeter_pieces import Piece
     from groundslab.design.demands.perimeters import SketchedPerimeter
 
+#: Titles of the tables of other perimeters, by what is told apart of them.
+TITLES = {"": "", OUTERMOST: "pieces of the outermost perimeter", COUNTED: "pieces that count"}
 #: Places are written to a tenth of a millimeter.
 _PLACE = ".4f"
+#: What the length that counts is called.
+LENGTHS = ("u", "b_05", "b_o")
 #: Sums below this share of their largest part are rounding.
 _NOTHING = 1e-9
 
@@ -37,7 +44,7 @@ def tables_of_pieces(sketch: SketchedPerimeter, symbols: Set[str]) -> Iterator[T
         columns = [*_columns(perimeter.pieces, symbols, ends)]
         if ends and not any(column.head.symbol for column in columns):
             continue  # the sheet has none of its sums
-        yield _table(columns, perimeter.pieces, "pieces of the outermost perimeter" if ends else "")
+        yield _table(columns, perimeter.pieces, TITLES[ends])
 
 
 def _table(columns: list[_Column], pieces: list[Piece], title: str) -> TableLayout:
@@ -60,10 +67,14 @@ def _columns(pieces: list[Piece], symbols: Set[str], ends: str) -> Iterator[_Col
             yield _Column(TableHeader(Message(words, n=n), "m", number=True), _place(at, n - 1))
     if any(piece.share < 1 for piece in pieces):
         yield _Column(TableHeader("share that counts", number=True), lambda piece: format_number(piece.share))
-    length = next((name for name in _lengths(ends) if name in symbols), "")
+    across = pieces[0].shear is not None
+    length = next((name for name in _lengths(ends, across=across) if name in symbols), "")
     yield _sum(TableHeader("length", "m", number=True, symbol=length), lambda piece: piece.length)
-    if symbols & {f"{name}{ends}" for name in ("e_1", "e_2", "x_1", "x_2", "I_1")}:
-        for n in (1, 2):
+    if across:
+        force = next((name for name in ("V_Ed", "V_u") if name in symbols), "")
+        yield _sum(TableHeader("part of", "MN", number=True, symbol=force), lambda piece: (piece.shear or 0.0) / MEGA)
+    for n in (1, 2):
+        if symbols & {f"{letter}_{n}{ends}" for letter in "exI"}:
             yield _center(n - 1)
     for letter, unit, part in (("W", "m2", _modulus), ("I", "m3", _second), ("l", "m", _along)):
         for n in (1, 2):
@@ -78,9 +89,11 @@ def _columns(pieces: list[Piece], symbols: Set[str], ends: str) -> Iterator[_Col
             yield _sum(TableHeader("part of", unit, number=True, symbol=f"{letter}_12"), mixed)
 
 
-def _lengths(ends: str) -> tuple[str, ...]:
-    """Return what the length that counts may be called."""
-    return (f"u_{ends[1:]}",) if ends else ("u", "b_05", "b_o")
+def _lengths(ends: str, *, across: bool) -> tuple[str, ...]:
+    """Return what the length may be called, that of all across which the slab's shear force is known before others."""
+    if ends == OUTERMOST:
+        return (f"u_{ends[1:]}",)
+    return ("u_w", "b_w", *LENGTHS) if across else LENGTHS
 
 
 def _sum(head: TableHeader, of: Callable[[Piece], float]) -> _Column:

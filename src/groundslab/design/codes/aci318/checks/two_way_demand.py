@@ -76,7 +76,9 @@ class TwoWay:
 
     @property
     def sketch(self) -> SketchedPerimeter | None:
-        """Return the critical section of a column or pile."""
+        """Return the critical section."""
+        if self.wall is not None:
+            return self.wall.sketch(self.d / 2)
         if self.line is None or self.transfer is None:
             return None
         place = np.array(self.place)

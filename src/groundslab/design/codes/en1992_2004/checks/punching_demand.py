@@ -113,6 +113,8 @@ class Demand:
     @property
     def sketch(self) -> SketchedPerimeter | None:
         """Return the governing perimeter of a column or pile, and the outermost one, of which beta at the face is."""
+        if self.wall is not None and self.governing is not None:
+            return self.wall.sketch(self.governing.distance)
         control = None if self.governing is None else self.governing.control
         if control is None:
             return None

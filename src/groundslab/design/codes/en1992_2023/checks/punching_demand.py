@@ -95,7 +95,9 @@ class Punching:
 
     @property
     def sketch(self) -> SketchedPerimeter | None:
-        """Return the critical section of a column or pile."""
+        """Return the critical section."""
+        if self.wall is not None:
+            return self.wall.sketch(en1992.DISTANCE * self.d)
         return None if self.section is None else self.section.sketch
 
     @property

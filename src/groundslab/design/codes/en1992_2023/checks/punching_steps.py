@@ -66,7 +66,7 @@ def steps(demand: Punching, steel: Reinforcement, support: Support) -> Iterator[
         yield from other_betas_in_steps(demand.way, demand.beta_e, others, "beta_e", "8.4.2(6)")
     yield from _stress(demand)
     yield from in_shear(concrete, bars, demand.d, "d_v")
-    formula = "" if demand.section is None else _by_figures(demand.section, 0.0, demand.b_0)
+    formula = _face_of_wall(demand) if demand.section is None else _by_figures(demand.section, 0.0, demand.b_0)
     yield Step("perimeter at the face that counts", "b_0", demand.b_0, "m", formula, "8.4.3(1), Figure 8.18")
     formula = F["k_pb"]
     if not isclose(demand.gradient_length, demand.b_05, rel_tol=BY_CHORDS):
@@ -122,6 +122,15 @@ def _at_wall(demand: Punching, wall: WallSite) -> Iterator[Step]:
     yield Step("distance of the perimeter from the face", "a", a, "m", f"{en1992.DISTANCE:g} * d_v", "8.4.2(2)")
     yield from wall.course_steps(a, ("d_v", "a", whole, "b_05"), clause)
     yield from wall.force_steps(a, demand.V_Ed, (whole, "V_Ed"), "8.4.2(6)")
+
+
+def _face_of_wall(demand: Punching) -> str:
+    """Return the formula of the perimeter at the faces of an end or a corner of walls."""
+    assert demand.wall is not None
+    area = demand.wall.area
+    along = "2 * l_1" if demand.wall.end.kind == "end" else "l_1 + l_2"
+    formula = f"b_e + {along}" if area.across else along
+    return formula if isclose(area.across + sum(area.along), demand.b_0, rel_tol=BY_CHORDS) else ""
 
 
 def _length(demand: Punching, section: CriticalSection) -> Iterator[Step]:
