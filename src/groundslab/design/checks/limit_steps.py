@@ -124,7 +124,10 @@ def of_pressure(p: float, edge: tuple[float, Strip] | None = None) -> Iterator[S
         yield Step("shear stiffness of the ground", "k_1", strip.k1[0] / 1e6, "MPa m")
         yield Step("how far the ground's surface takes to die out", "L", strip.decay, "m", "sqrt(k_1 / k_0)")
     else:
-        words = "how far the surface of the ground of several layers takes to die out"
+        for n, (k0, k1) in enumerate(zip(strip.k0, strip.k1, strict=True), 1):
+            yield Step(Message("stiffness of the springs of layer {n}", n=n), f"k_0,{n}", k0 / 1e6, "MPa/m")
+            yield Step(Message("shear stiffness of layer {n}", n=n), f"k_1,{n}", k1 / 1e6, "MPa m")
+        words = "how far the surface of the ground of these layers takes to die out, the slowest way of their stack"
         yield Step(words, "L", strip.decay, "m")
     yield Step("farthest place of the plate from its edge", "l", strip.farthest, "m")
     b = strip.width

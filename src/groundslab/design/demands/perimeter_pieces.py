@@ -40,6 +40,7 @@ class WeightedLegs(NamedTuple):
     share: float = 1.0
     longest: float = np.inf  # [m]
     shear: Array | None = None  # (l,): of the slab across each of them [N], if it is known
+    thinner: tuple[float, float] | None = None  # by how much the slab is thinner, and how far from the face that is [m]
 
     @property
     def counted(self) -> Array:

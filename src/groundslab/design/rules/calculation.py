@@ -9,6 +9,7 @@ from dataclasses import dataclass
 
 from groundslab.arrays import Array
 from groundslab.design.demands.perimeter_loads import CaseInside, MomentParts
+from groundslab.design.demands.perimeter_pieces import WeightedLegs
 from groundslab.design.rules.punching_links.demand import Support
 from groundslab.messages import Message, Name
 
@@ -222,6 +223,22 @@ def width_steps(widths: tuple[float, float], setbacks: tuple[float, ...], letter
     for n, setback in enumerate(setbacks, 1):
         words = Message("distance of its face from edge {n} of the slab, to which the perimeter runs out", n=n)
         yield Step(words, f"s_{n}", max(setback, 0.0), "m")
+
+
+def thinner_steps(parts: Sequence[WeightedLegs], formula: str, clause: str, *, away: bool = False) -> Iterator[Step]:
+    """Yield the share of a perimeter's length that counts in each part of thinner slab, by a formula of its number n.
+
+    The formula has t_n, by how much the slab is thinner, and if it asks for that b_n, how far from the face it begins.
+    """
+    thinner = [part for part in parts if part.thinner is not None]
+    for n, part in enumerate(thinner, 1):
+        assert part.thinner is not None
+        by, far = part.thinner
+        yield Step(Message("by how much the slab is thinner in part {n} of it", n=n), f"t_{n}", by, "m")
+        if away:
+            yield Step(Message("where part {n} begins, from the face", n=n), f"b_{n}", far, "m")
+        words = Message("share of a length that counts in part {n}", n=n)
+        yield Step(words, f"k_t,{n}", part.share, "", formula.format(n=n), clause)
 
 
 def length_by_figures(

@@ -84,7 +84,8 @@ def weighted(
         there = directed(legs, intersection(linestrings(legs), part.region))
         if len(there):
             legs = outside(legs, part.region)
-            thin.append(WeightedLegs(there, share(part, distance, d), DASH * d))
+            of_part = share(part, distance, d)
+            thin.append(WeightedLegs(there, of_part, DASH * d, thinner=(part.by, part.away)))
     return (WeightedLegs(legs), *thin)
 
 

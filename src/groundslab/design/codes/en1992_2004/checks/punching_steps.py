@@ -43,6 +43,7 @@ from groundslab.design.rules.calculation import (
     length_by_figures,
     moment_steps,
     punching_force,
+    thinner_steps,
     width_steps,
 )
 from groundslab.design.rules.punching_beta import beta_in_steps, other_betas_in_steps
@@ -114,6 +115,8 @@ def _length(control: ControlPerimeter) -> Iterator[Step]:
         )
         if length > SAME * whole
     ]
+    by_clause = "min(1, max(1, 2 * (d - t_{n}) / (a - b_{n})) * a * (d - t_{n}) / (2 * d^2))"
+    yield from thinner_steps(control.sketch.parts, by_clause, "6.4.4(2), 6.4.2(8)", away=True)
     symbol = "u_w" if less else "u"
     widths, names = control.widths, ("c_1", "c_2")
     if len(control.sides) == 2 and at_corner:
