@@ -398,3 +398,34 @@ def test_demands_are_found_once_of_the_same_results(
     other = find(replace(results, model=deeper))
     assert found["high", "M"].d == pytest.approx(0.355)
     assert other["high", "M"].d == pytest.approx(0.335)
+
+
+@pytest.mark.parametrize("steel", [{}, ACI, SECOND], ids=["2004", "ACI", "2023"])
+def test_shares_in_thinner_slab_are_followed(steel: dict[str, Any]) -> None:
+    """A column on a zone 0.1 m thicker than the slab from 0.1 m beside it on: what counts of the length there, by hand.
+
+    By 6.4.4(2) that is max(1, 2 d_t / (a - 0.1)) a d_t / (2 d^2), at most 1; by depth alone d_t / d.
+    """
+    model = gs.Model(
+        plate={"length_x": 6.0, "length_y": 4.0, "thickness": 0.3, "E": 30e9, "nu": 0.2,
+               "zones": [{"thickness": 0.4, "shape": {"kind": "rectangle", "x": (-2.0, 0.3), "y": (-1.5, 1.5)}}]},
+        ground={"kind": "winkler", "k": 20e6},
+        columns=[MIDDLE],
+        cases=[{"name": "G"}],
+        loads=[{"kind": "point", "column": "M", "P": 900e3, "case": "G"}],
+        combinations=[{"name": "high", "limit_state": "ultimate", "factors": {"G": 1.35}}],
+        reinforcement=STEEL | steel,
+        mesh={"size": 0.5},
+    )  # fmt: skip
+    results = solve_once(model)
+    table = table_makers(results)["calculations"]()
+    assert follow(table) > 10
+    found = of(table, "punching")
+    ((_, sketch),) = ((key, each) for key, each in perimeters(results).items() if key[0] == "punching")
+    d = 0.4 - 0.045
+    d_t, a = d - 0.1, found["a"]
+    by_hand = d_t / d if steel else min(1.0, max(1.0, 2 * d_t / (a - 0.1)) * a * d_t / (2 * d**2))
+    assert (found["t_1"], found["k_t,1"]) == pytest.approx((0.1, by_hand))
+    assert {round(piece.share, 9) for piece in sketch.pieces} == {1.0, round(by_hand, 9)}
+    length = next(found[name] for name in ("u", "b_o", "b_05") if name in found)
+    assert sum(piece.length for piece in sketch.pieces) == pytest.approx(length)
