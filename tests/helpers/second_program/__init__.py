@@ -24,7 +24,8 @@ ANALYSIS = {
     "q_x", "q_y", "m_x", "m_y", "m_xy", "m", "N_Ed", "N_u", "p_m", "A_i", "M_c,1", "M_c,2", "e_o,1", "e_o,2", "e_p,1",
     "e_p,2", "p_m,0", "A_i,0", "p_m,l", "A_i,l", "h_i", "h_i,0", "h_i,l", "theta_1", "v_m", "a_p", "v_l", "V", "A_req",
     "beta_s", "beta_e_s",
-    "u_l", "u_i", "a_l", "a_i", "w", "w_1", "w_2", "p", "f", "e", "S_xx", "S_yy", "S_xy", "S_xw", "S_yw",
+    "u_l", "u_i", "a_l", "a_i", "w", "w_1", "w_2", "p", "f", "e", "S_xx", "S_yy", "S_xy", "S_xw", "S_yw", "M_b", "m_a",
+    "m_b", "b", "A_l",
 }  # fmt: skip
 #: What the case says: sizes, bars, places and limits.
 CASE = {
@@ -60,7 +61,7 @@ class Line(NamedTuple):
 #: openings take off a part they are read from the sketch.
 DRAWN = {
     "u", "u_w", "u_o", "u_R", "u_0", "b_05", "b_o", "b_w", "b_0", "b_g", "u_r", "W_1", "W_2", "W_1,R", "W_2,R", "e_1",
-    "e_2", "e_1,R", "e_2,R", "x_1", "x_2", "I_1", "I_2", "l_1", "l_2", "c_1", "c_2", "b_1", "b_2",
+    "e_2", "e_1,R", "e_2,R", "x_1", "x_2", "I_1", "I_2", "I_12", "l_1", "l_2", "l_12", "c_1", "c_2", "b_1", "b_2",
 }  # fmt: skip
 
 

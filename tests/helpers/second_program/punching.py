@@ -212,6 +212,7 @@ def punching_by_aci() -> dict[str, Rule]:
         rules[f"J_{n}"] = lambda v, n=n: v["d"] ** 3 * v[f"l_{n}"] / 12 + v["d"] * v[f"I_{n}"]
     return rules | {
         "a": lambda v: v["d"] / 2,
+        "J_12": lambda v: round(v["d"] * v["I_12"] + v["d"] ** 3 * v["l_12"] / 12, 9) + 0.0,
         "b_o": lambda v: v["u_w"] - v["u_o"] if "u_w" in v else None,
         "v_u": lambda v: (
             v["V_u"] / v["b_o"] / v["d"]

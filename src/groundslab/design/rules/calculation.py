@@ -226,11 +226,12 @@ def width_steps(widths: tuple[float, float], setbacks: tuple[float, ...], letter
 
 
 def thinner_steps(parts: Sequence[WeightedLegs], formula: str, clause: str, *, away: bool = False) -> Iterator[Step]:
-    """Yield the share of a perimeter's length that counts in each part of thinner slab, by a formula of its number n.
+    """Yield the share of a perimeter's length that counts in parts of thinner slab, by a formula of their number n.
 
+    Parts that count wholly are left out.
     The formula has t_n, by how much the slab is thinner, and if it asks for that b_n, how far from the face it begins.
     """
-    thinner = [part for part in parts if part.thinner is not None]
+    thinner = [part for part in parts if part.thinner is not None and part.share < 1]
     for n, part in enumerate(thinner, 1):
         assert part.thinner is not None
         by, far = part.thinner
