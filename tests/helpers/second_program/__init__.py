@@ -32,7 +32,7 @@ CASE = {
     "h", "a_x", "a_y", "a_1", "c_1", "c_2", "s_1", "s_2", "phi", "s", "c", "a", "A_x", "A_y", "A_s", "phi_1", "phi_2",
     "x_2", "phi_w", "d_w", "n_w", "a_F", "w_max", "w_max,lim", "c_s", "p_max,lim", "omega_lim", "beta_lim", "x_1",
     "y_1", "y_2", "f_ck", "f_c", "f_c'", "f_yk", "f_y", "f_y'", "gamma_C", "gamma_S", "gamma_V", "D_lower", "k_tc",
-    "b_1", "L_1", "t", "alpha", "c_c", "cot_max", "Delta_c,dev", "c_nom", "beta", "s_r",
+    "b_1", "L_1", "t", "alpha", "c_c", "beta_1", "cot_max", "Delta_c,dev", "c_nom", "beta", "s_r",
 } | {
     f"{name}{k}{of}" for name in ("gamma_", "gamma_s,", "Q_") for k in range(1, 5) for of in ("", ",0", ",l")
 }  # fmt: skip

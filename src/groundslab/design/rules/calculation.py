@@ -26,7 +26,7 @@ BY_CHORDS = 5e-5
 #: A symbol in a formula, such as v_Rd,c: a comma that belongs to it is followed by no space.
 SYMBOL = re.compile(r"[A-Za-z]\w*(?:,\w+)*'?")
 #: What formulas call, angles being in radians, and numbers with a name; the rest are symbols.
-FUNCTIONS = ("max", "min", "sqrt", "abs", "ceil", "floor", "exp", "sin", "tan", "atan")
+FUNCTIONS = ("max", "min", "sqrt", "abs", "ceil", "floor", "exp", "sin", "cos", "tan", "atan")
 CONSTANTS = ("pi",)
 
 
@@ -216,10 +216,16 @@ def some(value: float, least: float = SAME) -> float:
     return value if abs(value) > least else 0.0
 
 
-def width_steps(widths: tuple[float, float], setbacks: tuple[float, ...], letter: str = "c") -> Iterator[Step]:
+def width_steps(
+    widths: tuple[float, float],
+    setbacks: tuple[float, ...],
+    letter: str = "c",
+    formulas: tuple[str, str] = ("", ""),
+) -> Iterator[Step]:
     """Yield the widths along axes 1 and 2 of what is loaded [m], and how far it is from edges that count [m]."""
     for n, width in enumerate(widths, 1):
-        yield Step(Message("extent of what is loaded along axis {n}", n=n), f"{letter}_{n}", width, "m")
+        words = Message("extent of what is loaded along axis {n}", n=n)
+        yield Step(words, f"{letter}_{n}", width, "m", formulas[n - 1])
     for n, setback in enumerate(setbacks, 1):
         words = Message("distance of its face from edge {n} of the slab, to which the perimeter runs out", n=n)
         yield Step(words, f"s_{n}", max(setback, 0.0), "m")

@@ -100,11 +100,16 @@ def steps(demand: Demand, steel: Reinforcement, support: Support) -> Iterator[St
 def _length(control: ControlPerimeter) -> Iterator[Step]:
     """Yield what the length of a perimeter is made of."""
     line = control.sketch.line
-    yield from width_steps(control.widths, line.setbacks)
     at_corner = control.course.shape == "corner"
+    formulas = ("", "")
     if at_corner:
         for n, width in enumerate(control.sides, 1):
             yield Step(Message("width of what is loaded across edge {n}", n=n), f"w_{n}", width, "m")
+        angle, formulas = _extents_at_corner(control)
+        if formulas[0]:
+            words = "angle between axis 1 and the direction across edge 1"
+            yield Step(words, "beta_1", math.degrees(angle), "degrees")
+    yield from width_steps(control.widths, line.setbacks, formulas=formulas)
     whole, legs = total_length(control.sketch.line.whole), total_length(control.legs)
     openings, thinner = whole - legs, legs - control.u
     less = [
@@ -128,6 +133,22 @@ def _length(control: ControlPerimeter) -> Iterator[Step]:
     if less:
         formula = " - ".join([symbol, *(name for _, name, _ in less)])
         yield Step("what counts of it", "u", control.u, "m", formula, "6.4.2")
+
+
+def _extents_at_corner(control: ControlPerimeter) -> tuple[float, tuple[str, str]]:
+    """Return the angle [rad] between axis 1 and the direction across the first edge, and formulas of both extents.
+
+    They are those of a rectangle whose sides run along two edges at a right angle; without formulas it is none such.
+    """
+    if len(control.sides) != 2:
+        return 0.0, ("", "")
+    (w_1, w_2), across = control.sides, control.course.inward[0]
+    cosine, sine = (abs(float(axis @ across)) for axis in control.course.frame)
+    by_hand = w_1 * cosine + w_2 * sine, w_1 * sine + w_2 * cosine
+    if not all(math.isclose(*pair, rel_tol=SAME) for pair in zip(by_hand, control.widths, strict=True)):
+        return 0.0, ("", "")
+    c, s = "abs(cos(beta_1 * pi / 180))", "abs(sin(beta_1 * pi / 180))"
+    return math.atan2(sine, cosine), (f"w_1 * {c} + w_2 * {s}", f"w_1 * {s} + w_2 * {c}")
 
 
 def _beta(
