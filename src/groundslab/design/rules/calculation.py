@@ -180,29 +180,38 @@ def moment_steps(
     yield Step(words, f"e_{n}{of}", some(away), "m")
     formula = f"M_c,{n} + {symbol} * e_{n}{of}"
     of_loads, of_ground, of_edge = sums
-    for name, letter, sign, part, total in (
-        ("other loads inside", "o", with_loads, others, of_loads),
-        ("pressure inside", "p", with_ground, pressure, of_ground),
-        ("line force inside", "e", with_ground, edge, of_edge),
-        ("other supports inside", "s", "+", supports, 0.0),
+    for letter, sign, part, total in (
+        ("o", with_loads, others, of_loads),
+        ("p", with_ground, pressure, of_ground),
+        ("e", with_ground, edge, of_edge),
+        ("s", "+", supports, 0.0),
     ):
         if abs(part) > least:
-            yield from _part_of_moment(n, (name, letter, of), part, total, least)
+            yield from _part_of_moment(n, (letter, of), part, total, least)
             formula += f" {sign} M_{letter},{n}{of}"
     words = Message("moment of all forces by their places along axis {n}", n=n)
     yield Step(words, f"M_{n}{of}", some(moment, least) / MEGA, "MNm", formula)
 
 
-def _part_of_moment(n: int, names: tuple[str, str, str], part: float, total: float, least: float) -> Iterator[Step]:
+def _part_of_moment(n: int, symbols: tuple[str, str], part: float, total: float, least: float) -> Iterator[Step]:
     """Yield what a sum inside [N] adds to the moment along axis n [N m], by its resultant's place if it has one."""
-    name, letter, of = names
+    letter, of = symbols
+    moments = {
+        "o": Message("moment of the other loads inside along axis {n}", n=n),
+        "p": Message("moment of the pressure inside along axis {n}", n=n),
+        "e": Message("moment of the line force inside along axis {n}", n=n),
+        "s": Message("moment of other supports inside along axis {n}", n=n),
+    }
+    resultants = {
+        "o": Message("resultant of the other loads inside from that center, by integration, along axis {n}", n=n),
+        "p": Message("resultant of the pressure inside from that center, by integration, along axis {n}", n=n),
+        "e": Message("resultant of the line force inside from that center, by integration, along axis {n}", n=n),
+    }
     formula = ""
     if abs(total) > least:
-        words = Message("resultant of the {forces} from that center, along axis {n}, by integration", forces=name, n=n)
-        yield Step(words, f"e_{letter},{n}{of}", part / total, "m")
+        yield Step(resultants[letter], f"e_{letter},{n}{of}", part / total, "m")
         formula = f"N_{letter} * e_{letter},{n}{of}"
-    words = Message("moment of the {forces} along axis {n}", forces=name, n=n)
-    yield Step(words, f"M_{letter},{n}{of}", part / MEGA, "MNm", formula)
+    yield Step(moments[letter], f"M_{letter},{n}{of}", part / MEGA, "MNm", formula)
 
 
 def axis_step(axes: Array) -> Step:
@@ -217,7 +226,7 @@ def some(value: float, least: float = SAME) -> float:
 
 
 def width_steps(
-    widths: tuple[float, float],
+    widths: tuple[float, ...],
     setbacks: tuple[float, ...],
     letter: str = "c",
     formulas: tuple[str, str] = ("", ""),

@@ -71,7 +71,8 @@ def steps(demand: Demand, steel: Reinforcement, support: Support) -> Iterator[St
         size, relieves = (stress.control.loads.size, stress.cases), steel.line_force_relieves
         symbols, clause = ("N_Ed", "V_Ed"), "6.4.4(2), 6.48"
         yield from punching_force(what, symbols, inside, size, stress.V_Ed, clause, relieves=relieves)
-        yield from _length(stress.control)
+        constant = _has_constant(stress, stress.control, concrete.annex.least_beta)
+        yield from _length(stress.control, along_axes=not constant)
         yield from _beta(stress, stress.control, concrete.annex.least_beta, what, demand.force)
     else:
         assert demand.wall is not None
@@ -97,8 +98,8 @@ def steps(demand: Demand, steel: Reinforcement, support: Support) -> Iterator[St
         yield from _face(demand.face, stress.control, demand, concrete, what)
 
 
-def _length(control: ControlPerimeter) -> Iterator[Step]:
-    """Yield what the length of a perimeter is made of."""
+def _length(control: ControlPerimeter, *, along_axes: bool) -> Iterator[Step]:
+    """Yield what the length of a perimeter is made of, at a corner with extents along axes only if these are used."""
     line = control.sketch.line
     at_corner = control.course.shape == "corner"
     formulas = ("", "")
@@ -106,10 +107,11 @@ def _length(control: ControlPerimeter) -> Iterator[Step]:
         for n, width in enumerate(control.sides, 1):
             yield Step(Message("width of what is loaded across edge {n}", n=n), f"w_{n}", width, "m")
         angle, formulas = _extents_at_corner(control)
-        if formulas[0]:
+        if formulas[0] and along_axes:
             words = "angle between axis 1 and the direction across edge 1"
             yield Step(words, "beta_1", math.degrees(angle), "degrees")
-    yield from width_steps(control.widths, line.setbacks, formulas=formulas)
+    widths = () if formulas[0] and not along_axes else control.widths
+    yield from width_steps(widths, line.setbacks, formulas=formulas)
     whole, legs = total_length(control.sketch.line.whole), total_length(control.legs)
     openings, thinner = whole - legs, legs - control.u
     less = [
@@ -133,6 +135,16 @@ def _length(control: ControlPerimeter) -> Iterator[Step]:
     if less:
         formula = " - ".join([symbol, *(name for _, name, _ in less)])
         yield Step("what counts of it", "u", control.u, "m", formula, "6.4.2")
+
+
+def _has_constant(stress: Stress, control: ControlPerimeter, least: float, force: float | None = None) -> bool:
+    """Return whether beta of a perimeter at a corner is the constant, and not that of moments about its center [N]."""
+    if control.course.shape != "corner" or stress.beta is None or stress.way != "code":
+        return False
+    pushing = stress.V_Ed if force is None else force
+    shares, moduli = [*map(float, control.shares)], [*map(float, control.moduli)]
+    general = en1992.raised(stress.moments, shares, pushing, control.u, moduli) / pushing
+    return not math.isclose(stress.beta, max(least, general), rel_tol=SAME)
 
 
 def _extents_at_corner(control: ControlPerimeter) -> tuple[float, tuple[str, str]]:
@@ -182,8 +194,7 @@ def _beta_by_moments(
     force = stress.V_Ed if not of else own[1]
     shares, moduli = [*map(float, control.shares)], [*map(float, control.moduli)]
     general = en1992.raised(stress.moments, shares, force, control.u, moduli) / force if stress.beta else 1.0
-    corner = control.course.shape == "corner" and stress.beta is not None
-    if corner and not math.isclose(stress.beta or 0.0, max(least, general), rel_tol=SAME):
+    if _has_constant(stress, control, least, force):
         yield Step(
             "factor for a column at a corner",
             "beta_0" if of else "beta",
