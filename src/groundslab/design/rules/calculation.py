@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from groundslab.arrays import Array
@@ -240,7 +240,9 @@ def width_steps(
         yield Step(words, f"s_{n}", max(setback, 0.0), "m")
 
 
-def thinner_steps(parts: Sequence[WeightedLegs], formula: str, clause: str, *, away: bool = False) -> Iterator[Step]:
+def thinner_steps(
+    parts: Sequence[WeightedLegs], formula: Callable[[int], str], clause: str, *, away: bool = False
+) -> Iterator[Step]:
     """Yield the share of a perimeter's length that counts in parts of thinner slab, by a formula of their number n.
 
     Parts that count wholly are left out.
@@ -254,7 +256,7 @@ def thinner_steps(parts: Sequence[WeightedLegs], formula: str, clause: str, *, a
         if away:
             yield Step(Message("where part {n} begins, from the face", n=n), f"b_{n}", far, "m")
         words = Message("share of a length that counts in part {n}", n=n)
-        yield Step(words, f"k_t,{n}", part.share, "", formula.format(n=n), clause)
+        yield Step(words, f"k_t,{n}", part.share, "", formula(n), clause)
 
 
 def length_by_figures(

@@ -34,9 +34,10 @@ SKETCH = "Lengths in m, of arcs with the radius; dashed: what does not count, an
 #: What is said of tables of pieces.
 PIECES = (
     "Beside the sketch of a perimeter are its pieces, each from where to where, along axes 1 and 2 from the center of "
-    "the column, and with the center of its length. What they add to the length, to W, the integral of the distance "
-    "from the center of all, to I, that of its square, and to l, that of the square of the cosine of their angle from "
-    "the axis, is added up below. Arcs are computed as chords, which are shorter by less than 0.003 %."
+    "the column or the end of the wall, and with the center of its length. What they add to the length, to W, the "
+    "integral of the distance from the center of all, to I, that of its square, and to l, that of the square of the "
+    "cosine of their angle from the axis, is added up below. Arcs are computed as chords, which are shorter by less "
+    "than 0.003 %."
 )
 #: A decimal point.
 _POINT = re.compile(r"(?<=\d)\.(?=\d)")

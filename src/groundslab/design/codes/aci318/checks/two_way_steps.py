@@ -85,7 +85,7 @@ def _length(demand: TwoWay) -> Iterator[Step]:
     yield from width_steps(widths, demand.setbacks, "w")
     whole = total_length(line.whole)
     formula = length_by_figures(widths, demand.setbacks, ("a", a), whole, square=True, symbols=("w_1", "w_2"))
-    yield from thinner_steps(demand.counted, "1 - t_{n} / d", "22.6.4")
+    yield from thinner_steps(demand.counted, lambda n: f"1 - t_{n} / d", "22.6.4")
     yield from counted_length(whole, formula, ("b_o", demand.b_o), "22.6.4")
 
 

@@ -122,8 +122,7 @@ def _length(control: ControlPerimeter, *, along_axes: bool) -> Iterator[Step]:
         )
         if length > SAME * whole
     ]
-    by_clause = "min(1, max(1, 2 * (d - t_{n}) / (a - b_{n})) * a * (d - t_{n}) / (2 * d^2))"
-    yield from thinner_steps(control.sketch.parts, by_clause, "6.4.4(2), 6.4.2(8)", away=True)
+    yield from thinner_steps(control.sketch.parts, _of_thinner, "6.4.4(2), 6.4.2(8)", away=True)
     symbol = "u_w" if less else "u"
     widths, names = control.widths, ("c_1", "c_2")
     if len(control.sides) == 2 and at_corner:
@@ -135,6 +134,11 @@ def _length(control: ControlPerimeter, *, along_axes: bool) -> Iterator[Step]:
     if less:
         formula = " - ".join([symbol, *(name for _, name, _ in less)])
         yield Step("what counts of it", "u", control.u, "m", formula, "6.4.2")
+
+
+def _of_thinner(n: int) -> str:
+    """Return the formula of the share of a length that counts in part n of thinner slab."""
+    return f"min(1, max(1, 2 * (d - t_{n}) / (a - b_{n})) * a * (d - t_{n}) / (2 * d^2))"
 
 
 def _has_constant(stress: Stress, control: ControlPerimeter, least: float, force: float | None = None) -> bool:

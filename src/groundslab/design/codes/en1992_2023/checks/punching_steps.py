@@ -140,7 +140,7 @@ def _length(demand: Punching, section: CriticalSection) -> Iterator[Step]:
     yield Step("distance of the perimeter from the face", "a", a, "m", f"{en1992.DISTANCE:g} * d_v", "8.4.2(2)")
     yield from width_steps(section.sides, section.line.setbacks)
     whole = total_length(section.line.whole)
-    yield from thinner_steps(section.parts, "1 - t_{n} / d_v", "8.4.2(2) to (5)")
+    yield from thinner_steps(section.parts, lambda n: f"1 - t_{n} / d_v", "8.4.2(2) to (5)")
     yield from counted_length(whole, _by_figures(section, a, whole), ("b_05", demand.b_05), "8.4.2(2) to (5)")
 
 
