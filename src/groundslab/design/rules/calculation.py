@@ -95,21 +95,21 @@ def _loads_inside(others: float, inside: float, cases: Sequence[CaseInside], of:
         weight, parts = unit_weight * volume, []
         if weight:
             yield Step("thickness of the slab inside, its mean", f"h_i{of}", volume / inside, "m")
-            words, gamma = Message("unit weight of the slab in {case}", case=case), f"gamma_s,{k}{of}"
-            yield Step(words, gamma, unit_weight / 1e3, "kN/m3")
-            words = Message("weight of the slab inside, in {case}", case=case)
-            yield Step(words, f"G_{k}{of}", weight / MEGA, "MN", f"{gamma} * h_i{of} * A_i{of} / 1000")
+            of_weight, gamma = Message("unit weight of the slab in {case}", case=case), f"gamma_s,{k}{of}"
+            yield Step(of_weight, gamma, unit_weight / 1e3, "kN/m3")
+            inside_it = Message("weight of the slab inside, in {case}", case=case)
+            yield Step(inside_it, f"G_{k}{of}", weight / MEGA, "MN", f"{gamma} * h_i{of} * A_i{of} / 1000")
             parts.append(f"G_{k}{of}")
         if abs(force - weight) > SAME * max(abs(force), abs(weight)):
-            words = Message("further loads of {case} inside, by their places", case=case)
-            yield Step(words, f"Q_{k}{of}", (force - weight) / MEGA, "MN")
+            further = Message("further loads of {case} inside, by their places", case=case)
+            yield Step(further, f"Q_{k}{of}", (force - weight) / MEGA, "MN")
             parts.append(f"Q_{k}{of}")
         yield Step(Message("factor of {case}", case=case), f"gamma_{k}{of}", factor)
         terms.append(f"gamma_{k}{of} * {parts[0]}" if len(parts) == 1 else f"gamma_{k}{of} * ({' + '.join(parts)})")
     rest = others - sum(case.factor * case.force for case in told)
     if abs(rest) > SAME * max(abs(others), *(abs(case.factor * case.force) for case in told), 1.0):
-        words = "further cases, beams across the perimeter and joints inside, with their factors"
-        yield Step(words, f"N_f{of}", rest / MEGA, "MN")
+        others_there = "further cases, beams across the perimeter and joints inside, with their factors"
+        yield Step(others_there, f"N_f{of}", rest / MEGA, "MN")
         terms.append(f"N_f{of}")
     yield Step("other loads inside the perimeter", f"N_o{of}", others / MEGA, "MN", " + ".join(terms))
 

@@ -39,6 +39,8 @@ OFF, AXIS = 1.0, 6.0
 PLACES = (0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8, 0.1, 0.9)
 #: Lengths less than this are none [m].
 NONE = 1e-6
+#: So many places of a line are looked at for dimensions at most.
+MOST_DENSE = 400
 
 
 def draw_sketch(model: Model, sketch: SketchedPerimeter, number: int, label: str) -> Markup:
@@ -72,9 +74,9 @@ class _Dimensions:
                 best, least = box, cost
         assert best is not None
         self.boxes.append(best)
-        at = self.low + best.mean(axis=0) / self.per_meter
+        x, y = (self.low + best.mean(axis=0) / self.per_meter).tolist()
         self.axes.text(
-            *at, Name(text), fontsize=style.FOOT, color=color, ha="center", va="center_baseline", zorder=6,
+            x, y, Name(text), fontsize=style.FOOT, color=color, ha="center", va="center_baseline", zorder=6,
             parse_math=False,
         )  # fmt: skip
 
@@ -82,12 +84,11 @@ class _Dimensions:
         """Return how much a box covers: other texts most, then the picture's border, then lines."""
         (x0, y0), (x1, y1) = box
         over = sum(
-            max(0.0, min(x1, b[1, 0]) - max(x0, b[0, 0])) * max(0.0, min(y1, b[1, 1]) - max(y0, b[0, 1]))
-            for b in self.boxes
+            float(np.prod(np.maximum(np.minimum(box[1], b[1]) - np.maximum(box[0], b[0]), 0.0))) for b in self.boxes
         )
-        beyond = max(0.0, -x0, -y0, x1 - self.size[0], y1 - self.size[1])
+        beyond = float(max(0.0, -x0, -y0, x1 - self.size[0], y1 - self.size[1]))
         on = ((self.lines > [x0, y0]) & (self.lines < [x1, y1])).all(axis=1).sum()
-        return 100.0 * over + 50.0 * beyond + 0.2 * float(on)
+        return float(100.0 * over + 50.0 * beyond + 0.2 * on)
 
 
 def _figure(model: Model, sketch: SketchedPerimeter) -> Figure:
@@ -154,7 +155,7 @@ def _draw_axes(dimensions: _Dimensions, sketch: SketchedPerimeter) -> None:
     for name, axis in zip("12", sketch.axes, strict=True):
         tip = sketch.origin + axis * AXIS / dimensions.per_meter
         dimensions.axes.annotate(
-            "", tip, sketch.origin, zorder=5.8,
+            "", tuple(tip), tuple(sketch.origin), zorder=5.8,
             arrowprops={"arrowstyle": "->", "color": style.ACCENT, "linewidth": 0.7, "shrinkA": 0, "shrinkB": 0,
                         "mutation_scale": 5},
         )  # fmt: skip
@@ -197,9 +198,10 @@ def _along(start: Array, end: Array) -> Iterator[tuple[Array, Array]]:
 
 def _dense(line: Array, step: float = 0.05) -> Array:
     """Return places (n, 2) along a line (k, 2), no farther apart than a step [m]."""
+    counts = np.ceil(np.minimum(np.linalg.norm(np.diff(line, axis=0), axis=1) / step, MOST_DENSE)).astype(int)
     parts = [
-        a + np.linspace(0, 1, 1 + int(np.ceil(min(np.linalg.norm(b - a) / step, 400))))[:, None] * (b - a)
-        for a, b in pairwise(line)
+        a + np.linspace(0, 1, 1 + count)[:, None] * (b - a)
+        for count, (a, b) in zip(counts, pairwise(line), strict=True)
     ]
     return np.concatenate(parts)
 
@@ -215,8 +217,9 @@ def _cut(sketch: SketchedPerimeter) -> Array:
 
     whole = sketch.line.whole
     counted = multilinestrings(linestrings(sketch.legs)).buffer(NONE)
-    cut = directed(whole, difference(linestrings(whole), counted))
-    return cut[np.linalg.norm(cut[:, 1] - cut[:, 0], axis=1) > 10 * NONE]
+    cut: Array = directed(whole, difference(linestrings(whole), counted))
+    long: Array = cut[np.linalg.norm(cut[:, 1] - cut[:, 0], axis=1) > 10 * NONE]
+    return long
 
 
 def _scale(sketch: SketchedPerimeter) -> tuple[Array, Array, float]:

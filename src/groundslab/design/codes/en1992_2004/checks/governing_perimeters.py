@@ -178,8 +178,8 @@ class _Site:
             parts = [self.punching.area_inside(line, distance) for distance, line in lines.items()]
             loads = self.near.inside_each(results, parts)
             for (distance, line), inside in zip(lines.items(), loads, strict=True):
-                parts = weighted(line.legs, self.thinner, share_of_thinner, distance, self.d)
-                control = _control((line, parts), distance, self.punching, self.d, self.around, inside)
+                counted = weighted(line.legs, self.thinner, share_of_thinner, distance, self.d)
+                control = _control((line, counted), distance, self.punching, self.d, self.around, inside)
                 self.controls[distance] = control if distance > 0 else replace(control, u=self.u_0)
         return [self.controls[distance] for distance in distances]
 
