@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, field
 from itertools import pairwise
 from typing import TYPE_CHECKING
@@ -170,8 +171,8 @@ def _dimension(piece: Piece) -> str:
 
 
 def _millimeters(length: float) -> str:
-    """Return a length in meters to the millimeter, the same of two that differ by rounding."""
-    return f"{round(length, 6):.3f}"
+    """Return a length in meters to the millimeter, halves up, the same of two that differ by rounding."""
+    return f"{math.floor(round(length * 1e3, 3) + 0.5) / 1e3:.3f}"
 
 
 def _beside(piece: Piece) -> Iterator[tuple[Array, Array]]:

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from groundslab.design.demands.perimeters import SketchedPerimeter
 
 #: Titles of the tables of other perimeters, by what is told apart of them.
-TITLES = {"": "", OUTERMOST: "pieces of the outermost perimeter", COUNTED: "pieces that count"}
+TITLES = {"": "", OUTERMOST: "Pieces of the outermost perimeter", COUNTED: "Pieces that count"}
 #: Places are written to a tenth of a millimeter.
 _PLACE = ".4f"
 #: What the length that counts is called.
