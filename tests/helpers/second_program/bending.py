@@ -39,7 +39,17 @@ def bending(code: str) -> dict[str, Rule]:
         "f_ctm": f_ctm,
         "A_min": least,
         "A_req": lambda v: max(v["A_s"], v["A_min"]),
+        "m": design_moment,
+        "eta_A": lambda v: v["A_req"] / v["A_l"],
     }
+
+
+def design_moment(v: Values) -> float:
+    """Return the mean over the width, or Wood's moment: in the direction of the bars and as much as it twists."""
+    if "M_b" in v:
+        return v["M_b"] / v["b"]
+    own = -v["m_a"] if v["top"] else v["m_a"]
+    return own + (v["m_xy"] ** 2 / abs(v["m_b"]) if "m_b" in v else abs(v["m_xy"]))
 
 
 def neutral_axis(v: Values) -> float:

@@ -17,13 +17,35 @@ def forces(code: str) -> dict[str, Rule]:
     depth = "d_v" if code == SECOND else "d"
     rules: dict[str, Rule] = {
         depth: lambda v: v["h"] - (v["a_x"] + v["a_y"]) / 2,
-        "N_o": lambda v: v["q_o"] * v["A_i"] * 1e-3,
-        "N_p": lambda v: v["p_m"] * v["A_i"] * 1e-3,
         V: lambda v: v[N] + v["N_o"] - v["N_p"],
     }
+    for of in ("", ",0", ",l"):
+        rules[f"N_p{of}"] = lambda v, of=of: v[f"p_m{of}"] * v[f"A_i{of}"] * 1e-3
+        rules[f"N_o{of}"] = lambda v, of=of: _loads(v, of)
+        for k in CASES:
+            rules[f"G_{k}{of}"] = lambda v, of=of, k=k: v[f"gamma_s,{k}{of}"] * v[f"h_i{of}"] * v[f"A_i{of}"] * 1e-3
     for n in ("1", "2"):
-        rules[f"M_{n}"] = lambda v, n=n: v[f"M_c,{n}"] + v[N] * v[f"e_{n}"] + v[f"M_o,{n}"] - v[f"M_p,{n}"]
+        rules[f"M_{n}"] = lambda v, n=n: _turns(v, N, n)
+        for letter in "op":
+            rules[f"M_{letter},{n}"] = lambda v, n=n, of=letter: v[f"N_{of}"] * v[f"e_{of},{n}"]
     return rules
+
+
+#: Numbers of the load cases that are told apart inside a perimeter.
+CASES = range(1, 5)
+
+
+def _loads(v: Values, of: str) -> float:
+    """Return the loads inside a perimeter: each case's weight of the slab and further loads, with its factor."""
+    parts = [v[f"gamma_{k}{of}"] * (v.get(f"G_{k}{of}", 0.0) + v.get(f"Q_{k}{of}", 0.0)) for k in CASES
+             if f"gamma_{k}{of}" in v]  # fmt: skip
+    return sum(parts) + v.get(f"N_f{of}", 0.0)
+
+
+def _turns(v: Values, N: str, n: str) -> float:
+    """Return the moment of all forces inside along an axis."""
+    own = v[f"M_c,{n}"] + v[N] * v[f"e_{n}"]
+    return own + v.get(f"M_o,{n}", 0.0) - v.get(f"M_p,{n}", 0.0)
 
 
 def table_6_1(ratio: float) -> float:
@@ -190,6 +212,7 @@ def punching_by_aci() -> dict[str, Rule]:
         rules[f"J_{n}"] = lambda v, n=n: v["d"] ** 3 * v[f"l_{n}"] / 12 + v["d"] * v[f"I_{n}"]
     return rules | {
         "a": lambda v: v["d"] / 2,
+        "J_12": lambda v: round(v["d"] * v["I_12"] + v["d"] ** 3 * v["l_12"] / 12, 9) + 0.0,
         "b_o": lambda v: v["u_w"] - v["u_o"] if "u_w" in v else None,
         "v_u": lambda v: (
             v["V_u"] / v["b_o"] / v["d"]

@@ -8,12 +8,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from groundslab.design.demands.edge_strip import line_force_share, strip_width
+from groundslab.design.checks.limit_steps import of_strip
+from groundslab.design.demands.edge_strip import line_force_share, strip_of, strip_width
+from groundslab.design.rules.calculation import MEGA, Step
 from groundslab.design.rules.check import DesignCheck
 from groundslab.design.rules.combinations import solved_results
 from groundslab.design.rules.demand_errors import error_of, scaled
 from groundslab.messages import Message, Name
-from groundslab.results.results import Results
+from groundslab.results.results import CombinationResult, Results
 
 #: Share of the ground's force above which the edge's line force is named.
 MOST = 0.10
@@ -47,5 +49,18 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
     )
     yield DesignCheck(
         "edge line force", "attention", words, demand=100 * share, resistance=100 * MOST, unit="%",
-        combination=worst.combination, error=scaled(error_of(worst, line_force_share), 100.0),
+        steps=tuple(_steps(worst)), combination=worst.combination,
+        error=scaled(error_of(worst, line_force_share), 100.0),
     )  # fmt: skip
+
+
+def _steps(results: CombinationResult) -> Iterator[Step]:
+    """Yield the share of the ground's force that is line force, and the strip that it stands for."""
+    plate = results.plate
+    along, force = float(plate.line_force @ plate.edge_length), float(plate.contact_force.sum())
+    yield Step("line force along all edges, by integration along them", "F_e", along / MEGA, "MN")
+    yield Step("force on the ground, by integration of pressure and line force", "F", force / MEGA, "MN")
+    yield Step("share of the line force", "s_e", 100 * along / force, "%", "100 * F_e / F")
+    yield from of_strip(strip_of(results))
+    yield Step("largest share that is not named", "s_lim", 100 * MOST, "%")
+    yield Step("share used", "eta", along / force / MOST, "", "s_e / s_lim")

@@ -118,18 +118,25 @@ def of_pressure(p: float, edge: tuple[float, Strip] | None = None) -> Iterator[S
         return
     f, strip = edge
     yield Step("line force along the edge beside the place, of both edges at a corner", "f", f / _K, "kN/m")
-    formula = "min(L, l)"
+    yield from of_strip(strip)
+    b = strip.width
+    yield Step("pressure that counts", "p_max", (p + f / b) / _K, "kPa", "p + f / b")
+
+
+def of_strip(strip: Strip) -> Iterator[Step]:
+    """Yield the width of the strip beside the plate's edge that a line force is spread over."""
     if len(strip.k0) == 1:
         yield Step("stiffness of the springs", "k_0", strip.k0[0] / 1e6, "MPa/m")
         yield Step("shear stiffness of the ground", "k_1", strip.k1[0] / 1e6, "MPa m")
         yield Step("how far the ground's surface takes to die out", "L", strip.decay, "m", "sqrt(k_1 / k_0)")
     else:
-        words = "how far the surface of the ground of several layers takes to die out"
+        for n, (k0, k1) in enumerate(zip(strip.k0, strip.k1, strict=True), 1):
+            yield Step(Message("stiffness of the springs of layer {n}", n=n), f"k_0,{n}", k0 / 1e6, "MPa/m")
+            yield Step(Message("shear stiffness of layer {n}", n=n), f"k_1,{n}", k1 / 1e6, "MPa m")
+        words = "how far the surface of the ground of these layers takes to die out, the slowest way of their stack"
         yield Step(words, "L", strip.decay, "m")
     yield Step("farthest place of the plate from its edge", "l", strip.farthest, "m")
-    b = strip.width
-    yield Step("width of the strip that it is spread over", "b", b, "m", formula)
-    yield Step("pressure that counts", "p_max", (p + f / b) / _K, "kPa", "p + f / b")
+    yield Step("width of the strip that it is spread over", "b", strip.width, "m", "min(L, l)")
 
 
 def of_mean_pressure(R: float, area: float, share: float) -> Iterator[Step]:

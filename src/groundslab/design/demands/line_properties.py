@@ -51,6 +51,20 @@ def moduli(legs: Array, axes: Array) -> Array:
     return np.asarray((length * np.where(start * end >= 0, size / 2, crossing)).sum(axis=0))
 
 
+def dashed(legs: Array, share: float, longest: float) -> Array:
+    """Return dashes (k, 2, 2) that are a share of legs (l, 2, 2), no farther from each other than a length [m]."""
+    if share <= 0:
+        return legs[:0]
+    run = legs[:, 1] - legs[:, 0]
+    counts = np.maximum(1, np.ceil(np.linalg.norm(run, axis=1) / longest)).astype(int)
+    leg = np.repeat(np.arange(len(legs)), counts)
+    number = np.arange(len(leg)) - np.repeat(np.cumsum(counts) - counts, counts)
+    middle = ((number + 0.5) / counts[leg])[:, None]
+    half = (share / 2 / counts[leg])[:, None]
+    start = legs[leg, 0]
+    return np.stack([start + (middle - half) * run[leg], start + (middle + half) * run[leg]], axis=1)
+
+
 def straight(legs: Array) -> bool:
     """Return whether straight pieces (l, 2, 2) [m] all lie on one line."""
     places = legs.reshape(-1, 2)

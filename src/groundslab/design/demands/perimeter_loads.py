@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, NamedTuple, TypeVar
 
@@ -254,11 +254,31 @@ class PerimeterLoads:
     supports: tuple[int, ...] = ()  # numbers of the other supports inside, from 0
     crossings: tuple[Crossing, ...] = ()  # of beams
     joints: tuple[HandedOver, ...] = ()  # by other plates
+    weights: Mapping[str, tuple[float, float]] = field(default_factory=dict)  # unit weight [N/m3], volume [m3], by case
+
+    def of_cases(self, results: CombinationResult) -> tuple[CaseInside, ...]:
+        """Return what the load cases of a combination have inside, those of the building above apart."""
+        factors = column_loads.factors_of(results)
+        return tuple(
+            CaseInside(case, factors[case], float(sums[0]), *self.weights.get(case, (0.0, 0.0)))
+            for case, sums in self.others.items()
+            if factors.get(case) and sums[0] and not case.startswith("\0")
+        )
 
     @property
     def size(self) -> float:
         """Return the area of the plate inside [m2]."""
         return float(self.area.sum())
+
+
+class CaseInside(NamedTuple):
+    """What a load case has inside a perimeter."""
+
+    case: str
+    factor: float  # in the combination
+    force: float  # of all its loads there but for those of the column itself, downwards [N]
+    unit_weight: float  # of the slab, if its weight is in this case [N/m3]
+    volume: float  # of the slab inside [m3]
 
 
 @dataclass(frozen=True, slots=True)
@@ -326,6 +346,7 @@ class PunchingShear:
     others: float  # other loads inside, shear forces of beams across the perimeter, and what joints add inside [N]
     supported: bool  # whether another support acts inside; what it adds to V is counted, what it takes off is not
     parts: MomentParts  # of the moments
+    cases: tuple[CaseInside, ...] = ()  # what load cases have in the other loads
 
 
 @dataclass(frozen=True, slots=True)
@@ -358,7 +379,8 @@ class LoadsNear:
         near = FLAT * max(results.model.sides)
         joints = tuple(HandedOver(number, down, part, near) for number, down in self.joints)
         edge = edge_inside(results.plate, part)
-        return PerimeterLoads(nodes, area[nodes], *edge, others, supports, crossings, joints)
+        weights = column_loads.weights_inside(results, self.shapes, (self.elements, shares))
+        return PerimeterLoads(nodes, area[nodes], *edge, others, supports, crossings, joints, weights)
 
 
 def reach_of(line: Perimeter, distance: float) -> float:
@@ -425,7 +447,7 @@ def punching_shear(
     of_each = (forces[1:] - forces[0] * center for forces in (others, pressure, counted, adding))
     parts = MomentParts(np.array(own_moments), np.array(punching.place) - center, *of_each)
     sums = float(pressure[0]), float(edge[0]), float(others[0])
-    return PunchingShear(float(acting[0]), moments, *sums, supported, parts)
+    return PunchingShear(float(acting[0]), moments, *sums, supported, parts, inside.of_cases(results))
 
 
 def _force_of(support: SupportResult) -> Array:

@@ -18,6 +18,7 @@ import numpy as np
 
 from groundslab.arrays import Array, Integers, made_once_by
 from groundslab.design.demands.line_properties import chains, cuts_strips, shape_of, total_length
+from groundslab.design.demands.perimeter_pieces import Piece, WeightedLegs, pieces_of
 from groundslab.errors import InputError, Issue
 from groundslab.fem.mesh import sides_on_boundary
 from groundslab.fem.shape_functions import lagrange
@@ -161,11 +162,24 @@ class Perimeter:
 
 
 class SketchedPerimeter(NamedTuple):
-    """What a sketch of a perimeter shows."""
+    """What a sketch of a perimeter shows, and the table of its pieces."""
 
     line: Perimeter
-    legs: Array  # (l, 2, 2): what counts of it [m]
-    center: Array  # (2,) of the column or pile [m]
+    parts: tuple[WeightedLegs, ...]  # what counts of it, less in thinner slab
+    center: Array  # (2,) of the column or pile, from which openings are seen [m]
+    axes: Array  # (2, 2): unit vectors of axes 1 and 2
+    origin: Array  # (2,): where places along them are measured from [m]
+    further: tuple[tuple[str, SketchedPerimeter], ...] = ()  # others, by what their symbols end with
+
+    @property
+    def legs(self) -> Array:
+        """Return the legs (l, 2, 2) that count, if only in part [m]."""
+        return np.concatenate([part.legs for part in self.parts])
+
+    @property
+    def pieces(self) -> list[Piece]:
+        """Return its pieces, one after the other."""
+        return pieces_of(self.parts, self.axes, self.origin)
 
 
 def perimeter(

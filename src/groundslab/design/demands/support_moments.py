@@ -85,14 +85,28 @@ class Lines(NamedTuple):
     def of(self, values: Array) -> Array:
         """Return nodal values (n,) of one sign, with means where lines count."""
         sign = 1.0 if values.sum() >= 0 else -1.0
-        means, peaked = self.over(sign * values)
-        counts = (peaked[self.first] | (self.share == 1)) & (peaked[self.second] | (self.share == 0))
-        read = (1 - self.share) * means[self.first] + self.share * means[self.second]
+        read, counts = self._read(sign * values)
         largest, node = np.zeros(len(values)), self.node[counts]
         np.maximum.at(largest, node, read[counts])
         averaged = values.copy()
         averaged[node] = sign * largest[node]
         return averaged
+
+    def width_at(self, values: Array, node: int) -> float | None:
+        """Return the width [m] of the mean that a node has of nodal values (n,) of one sign; None where it has none."""
+        read, counts = self._read(values if values.sum() >= 0 else -values)
+        mine = np.flatnonzero(counts & (self.node == node))
+        if not len(mine):
+            return None
+        k = mine[np.argmax(read[mine])]
+        share = self.share[k]
+        return float((1 - share) * self.length[self.first[k]] + share * self.length[self.second[k]])
+
+    def _read(self, sizes: Array) -> tuple[Array, Flags]:
+        """Return the means (k,) that nodes read of nodal sizes (n,), and whether they count."""
+        means, peaked = self.over(sizes)
+        counts = (peaked[self.first] | (self.share == 1)) & (peaked[self.second] | (self.share == 0))
+        return (1 - self.share) * means[self.first] + self.share * means[self.second], counts
 
     def over(self, sizes: Array) -> tuple[Array, Flags]:
         """Return the means (s,) of nodal sizes (n,) over the lines, and whether they count."""
@@ -109,6 +123,32 @@ def bar_moments(results: CombinationResult, steel: Reinforcement) -> DesignMomen
         of_layer, across = getattr(peaks, layer), lines[layer[-1] == "y"]
         averaged[layer] = of_layer if across is None else across.of(of_layer)
     return DesignMoments(**averaged)
+
+
+class MomentOrigin(NamedTuple):
+    """What the design moment of a layer at a node follows from: a mean over a width, or the plate's moments there."""
+
+    width: float | None  # [m]
+    along: float = 0.0  # bending moment of strips along the bars [N m/m]
+    across: float = 0.0  # of strips across them [N m/m]
+    twisting: float = 0.0  # [N m/m]
+
+
+def origin_of(
+    results: CombinationResult, steel: Reinforcement, layer: str, place: tuple[float, float], moment: float
+) -> MomentOrigin:
+    """Return what a layer's design moment [N m/m] at a node's place [m] follows from."""
+    plate = results.plate
+    of_layer = getattr(bar_moments(results, steel), layer)
+    here = np.flatnonzero((np.abs(plate.nodes - place) <= SAME * np.ptp(plate.nodes)).all(axis=1))
+    node = int(here[np.argmin(np.abs(np.abs(of_layer[here]) - abs(moment)))])
+    lines = averaging_lines(results, steel)[layer[-1] == "y"]
+    width = None if lines is None else lines.width_at(getattr(design_moments(plate), layer), node)
+    if width is not None:
+        return MomentOrigin(width)
+    m_x, m_y = float(plate.moment_x[node]), float(plate.moment_y[node])
+    along, across = (m_x, m_y) if layer[-1] == "x" else (m_y, m_x)
+    return MomentOrigin(None, along, across, float(plate.moment_xy[node]))
 
 
 @dataclass(frozen=True, slots=True)

@@ -13,7 +13,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
@@ -140,6 +140,19 @@ def _chords(places: Array) -> Array:
     return np.stack([places[:-1], places[1:]], axis=1)
 
 
+class LegsOnPlate(NamedTuple):
+    """The legs of a perimeter on the plate, and the share of the length of each that counts."""
+
+    legs: Array  # (l, 2, 2) [m]
+    shares: Array  # (l,)
+
+    def shear(self, plate: PlateResult) -> Array:
+        """Return - int q_n ds on each leg (l,) [N], as `WallPerimeters.shear` has them together."""
+        _, nodes, inward = _read(plate, self.legs)
+        q = np.stack([plate.shear_x[nodes], plate.shear_y[nodes]])
+        return np.asarray(np.einsum("ilk,ilk->l", inward, q))
+
+
 @dataclass(frozen=True, slots=True)
 class WallPerimeters:
     """The perimeters of an end or a corner on the plate, and the nodes that its shear forces are read from."""
@@ -149,6 +162,7 @@ class WallPerimeters:
     whole: Array  # (k,): of what lies on the plate [m]
     nodes: Integers  # (n,)
     across: Array  # (2, k, n): of nodal shear_x and shear_y in what they are across a perimeter, inwards positive [m]
+    legs: tuple[LegsOnPlate, ...] = ()  # of each perimeter
 
     def shear(self, plate: PlateResult) -> Array:
         """Return - int q_n ds (k,) [N], n outwards: what presses inside less what bears it there."""
@@ -169,34 +183,49 @@ def wall_perimeters(
     What lies in the shadow of openings does not count in their lengths; at places (n, 2) of a perimeter at a distance
     shares count, if they are given.
     """
-    from shapely import box, contains_xy, prepare
+    from shapely import contains_xy, prepare
 
     courses = [course(area, float(distance)) for distance in distances]
     legs = np.concatenate([line.legs for line in courses])
     number = np.repeat(np.arange(len(courses)), [len(line.legs) for line in courses])
-    middle, run = legs.mean(axis=1), legs[:, 1] - legs[:, 0]
+    middle = legs.mean(axis=1)
     prepare(plan)
-    on = np.asarray(contains_xy(plan, *middle.T))
-    mesh = Mesh(plate.nodes, plate.elements)
-    near = load_vectors.find_elements_near(mesh, box(*middle.min(axis=0), *middle.max(axis=0)))
-    element, local = locate(Mesh(mesh.nodes, mesh.elements[near]), middle)
-    on &= element >= 0
+    found, of_nodes, inward = _read(plate, legs)
+    on = found & contains_xy(plan, *middle.T)
     counted = on if shadow.is_empty else on & ~contains_xy(shadow, *middle.T)
     turns = np.concatenate([line.turns for line in courses])
     of_turns, on_plate = (np.bincount(number[mask], minlength=len(courses)) for mask in (turns, turns & on))
     u = np.zeros(len(courses))
-    length = np.linalg.norm(run, axis=1)
+    length = np.linalg.norm(legs[:, 1] - legs[:, 0], axis=1)
+    share = counted.astype(float)
     whole = np.asarray(np.bincount(number[on], length[on], minlength=len(courses)), dtype=float)
     if shares is not None:
         for k, distance in enumerate(distances):
-            length[number == k] *= shares(middle[number == k], float(distance))
-    np.add.at(u, number[counted], length[counted])
+            share[number == k] *= shares(middle[number == k], float(distance))
+    np.add.at(u, number, share * length)
     kept = np.flatnonzero((on_plate >= LEAST_TURNED * of_turns) & (u > 0))
-    of_nodes = mesh.elements[near[element[on]]]
-    nodes, which = unique_integers(of_nodes)
-    inward = np.stack([-run[on, 1], run[on, 0]])
+    nodes, which = unique_integers(of_nodes[on])
     across = np.zeros((2, len(courses), len(nodes)))
     rows = np.repeat(number[on][:, None], of_nodes.shape[1], axis=1)
     for axis in (0, 1):
-        np.add.at(across[axis], (rows, which.reshape(of_nodes.shape)), q9(local[on])[0] * inward[axis][:, None])
-    return WallPerimeters(distances[kept], u[kept], whole[kept], nodes, across[:, kept])
+        np.add.at(across[axis], (rows, which.reshape(rows.shape)), inward[axis, on])
+    on_each = tuple(LegsOnPlate(legs[on & (number == k)], share[on & (number == k)]) for k in kept)
+    return WallPerimeters(distances[kept], u[kept], whole[kept], nodes, across[:, kept], on_each)
+
+
+def _read(plate: PlateResult, legs: Array) -> tuple[Flags, Integers, Array]:
+    """Return how shear forces are read in the middle of legs (l, 2, 2) with their left side inwards.
+
+    They are whether a leg lies on the plate (l,), the nodes of its element (l, 9), and nodal shear_x and shear_y in
+    what they are across it (2, l, 9) [m].
+    """
+    from shapely import box
+
+    middle, run = legs.mean(axis=1), legs[:, 1] - legs[:, 0]
+    mesh = Mesh(plate.nodes, plate.elements)
+    near = load_vectors.find_elements_near(mesh, box(*middle.min(axis=0), *middle.max(axis=0)))
+    element, local = locate(Mesh(mesh.nodes, mesh.elements[near]), middle)
+    found = element >= 0
+    N = np.where(found[:, None], q9(local)[0], 0.0)
+    inward = np.stack([-run[:, 1], run[:, 0]])[:, :, None] * N
+    return found, mesh.elements[near[np.maximum(element, 0)]], inward

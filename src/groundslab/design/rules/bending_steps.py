@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
+from groundslab.design.demands.support_moments import MomentOrigin
 from groundslab.design.rules.bending import FORMULAS
 from groundslab.design.rules.calculation import MEGA, Step
 
 #: From m2/m to cm2/m.
 CM2 = 1e4
+#: Moments that differ by a smaller share are the same.
+CLOSE = 1e-9
 
 
 @dataclass(frozen=True, slots=True)
@@ -21,6 +25,8 @@ class BarsNeeded:
     axis: float  # of the bars from the face that they lie at [m]
     area: float  # [m2/m]
     minimum: float  # [m2/m]
+    origin: MomentOrigin | None = None  # what the moment follows from
+    laid: float | None = None  # area of the bars that are laid there [m2/m]
 
     @property
     def d(self) -> float:
@@ -30,10 +36,36 @@ class BarsNeeded:
 
 def depth(need: BarsNeeded) -> Iterator[Step]:
     """Yield the design moment, the thickness, the distance of the bars' axis from the face, and the depth."""
-    yield Step("design moment per width, by Wood", "m", abs(need.moment) / MEGA, "MNm/m")
+    yield from _moment(need)
     yield Step("thickness", "h", need.thickness, "m")
     yield Step("distance of the bars' axis from the face", "a_1", need.axis, "m")
     yield Step("effective depth", "d", need.d, "m", "h - a_1")
+
+
+def _moment(need: BarsNeeded) -> Iterator[Step]:
+    """Yield the design moment: by its mean over a width, or by the plate's moments at the place."""
+    m, origin = abs(need.moment) / MEGA, need.origin
+    if origin is None:
+        yield Step("design moment per width, by Wood", "m", m, "MNm/m")
+        return
+    if origin.width is not None:
+        words = "design moments by Wood along a line across the bars, their integral"
+        yield Step(words, "M_b", m * origin.width, "MNm")
+        yield Step("length of the line", "b", origin.width, "m")
+        yield Step("design moment per width, its mean", "m", m, "MNm/m", "M_b / b")
+        return
+    sign = 1.0 if need.moment >= 0 else -1.0
+    own, other, twist = origin.along / MEGA, origin.across / MEGA, origin.twisting / MEGA
+    formula, of_face = "", "m_a" if sign > 0 else "-m_a"
+    if math.isclose(sign * own + abs(twist), m, rel_tol=CLOSE):
+        formula = f"{of_face} + abs(m_xy)"
+    elif other and math.isclose(sign * own + twist**2 / abs(other), m, rel_tol=CLOSE):
+        formula = f"{of_face} + m_xy^2 / abs(m_b)"
+    yield Step("moment of strips along the bars, positive with tension at the bottom", "m_a", own, "MNm/m")
+    if "m_b" in formula:
+        yield Step("moment of strips across the bars", "m_b", other, "MNm/m")
+    yield Step("twisting moment", "m_xy", twist, "MNm/m")
+    yield Step("design moment per width, by Wood", "m", m, "MNm/m", formula)
 
 
 def area(need: BarsNeeded, block: tuple[float, float], clause: str) -> Iterator[Step]:
@@ -53,3 +85,6 @@ def required(need: BarsNeeded, minimum: Iterable[Step]) -> Iterator[Step]:
     yield from before
     yield Step(last.words, last.symbol, need.minimum * CM2, "cm2/m", last.formula, last.clause)
     yield Step("required area", "A_req", need.area * CM2, "cm2/m", "max(A_s, A_min)")
+    if need.laid:
+        yield Step("area of the bars that are laid", "A_l", need.laid * CM2, "cm2/m")
+        yield Step("share used", "eta_A", need.area / need.laid, "", "A_req / A_l")

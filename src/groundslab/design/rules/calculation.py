@@ -4,19 +4,21 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
-from groundslab.design.demands.perimeter_loads import MomentParts
+from groundslab.arrays import Array
+from groundslab.design.demands.perimeter_loads import CaseInside, MomentParts
+from groundslab.design.demands.perimeter_pieces import WeightedLegs
 from groundslab.design.rules.punching_links.demand import Support
-from groundslab.messages import Message
+from groundslab.messages import Message, Name
 
 MEGA = 1e6
 #: What pushes at a zone, and what pulls at it.
 ZONE = "force of the columns on the zone, less that of piles below it"
 ZONE_PULLS = "pull of the columns on the zone and push of the piles below it"
-#: What the sums inside a perimeter are called.
-SUMS = {"N_o": "other loads inside the perimeter", "N_p": "pressure of the ground inside"}
+#: So many load cases are told apart inside a perimeter, those that have most there.
+MOST_CASES = 4
 #: Forces inside this close to each other, over the force that punches, are the same.
 SAME = 1e-9
 #: By how much chords may be shorter than arcs.
@@ -24,7 +26,7 @@ BY_CHORDS = 5e-5
 #: A symbol in a formula, such as v_Rd,c: a comma that belongs to it is followed by no space.
 SYMBOL = re.compile(r"[A-Za-z]\w*(?:,\w+)*'?")
 #: What formulas call, angles being in radians, and numbers with a name; the rest are symbols.
-FUNCTIONS = ("max", "min", "sqrt", "abs", "ceil", "floor", "exp", "sin", "tan", "atan")
+FUNCTIONS = ("max", "min", "sqrt", "abs", "ceil", "floor", "exp", "sin", "cos", "tan", "atan")
 CONSTANTS = ("pi",)
 
 
@@ -70,11 +72,53 @@ def from_below(what: tuple[Support, bool]) -> bool:
     return (support == "pile") != pulls
 
 
+def inside_steps(sums: tuple[float, float], inside: float, cases: Sequence[CaseInside], of: str = "") -> Iterator[Step]:
+    """Yield what acts on an area [m2]: other loads by their cases, and the ground's pressure, both [N].
+
+    `of` is what ends the symbols.
+    """
+    others, pressure = sums
+    yield Step("area of the plate inside", f"A_i{of}", inside, "m2")
+    yield from _loads_inside(others, inside, cases, of)
+    words = "pressure of the ground inside, its mean by integration over the area"
+    yield Step(words, f"p_m{of}", pressure / inside / 1e3, "kPa")
+    yield Step("pressure of the ground inside", f"N_p{of}", pressure / MEGA, "MN", f"p_m{of} * A_i{of} / 1000")
+
+
+def _loads_inside(others: float, inside: float, cases: Sequence[CaseInside], of: str) -> Iterator[Step]:
+    """Yield what other loads inside are made of: of each case the weight of the slab, further loads, and its factor."""
+    largest = sorted(cases, key=lambda each: -abs(each.factor * each.force))[:MOST_CASES]
+    told = [case for case in cases if case in largest]
+    terms = []
+    for k, (name, factor, force, unit_weight, volume) in enumerate(told, 1):
+        case = Name(name) if name else "all loads"
+        weight, parts = unit_weight * volume, []
+        if weight:
+            yield Step("thickness of the slab inside, its mean", f"h_i{of}", volume / inside, "m")
+            of_weight, gamma = Message("unit weight of the slab in {case}", case=case), f"gamma_s,{k}{of}"
+            yield Step(of_weight, gamma, unit_weight / 1e3, "kN/m3")
+            inside_it = Message("weight of the slab inside, in {case}", case=case)
+            yield Step(inside_it, f"G_{k}{of}", weight / MEGA, "MN", f"{gamma} * h_i{of} * A_i{of} / 1000")
+            parts.append(f"G_{k}{of}")
+        if abs(force - weight) > SAME * max(abs(force), abs(weight)):
+            further = Message("further loads of {case} inside, by their places", case=case)
+            yield Step(further, f"Q_{k}{of}", (force - weight) / MEGA, "MN")
+            parts.append(f"Q_{k}{of}")
+        yield Step(Message("factor of {case}", case=case), f"gamma_{k}{of}", factor)
+        terms.append(f"gamma_{k}{of} * {parts[0]}" if len(parts) == 1 else f"gamma_{k}{of} * ({' + '.join(parts)})")
+    rest = others - sum(case.factor * case.force for case in told)
+    if abs(rest) > SAME * max(abs(others), *(abs(case.factor * case.force) for case in told), 1.0):
+        others_there = "further cases, beams across the perimeter and joints inside, with their factors"
+        yield Step(others_there, f"N_f{of}", rest / MEGA, "MN")
+        terms.append(f"N_f{of}")
+    yield Step("other loads inside the perimeter", f"N_o{of}", others / MEGA, "MN", " + ".join(terms))
+
+
 def punching_force(
     what: tuple[Support, bool],
     symbols: tuple[str, str],
     parts: tuple[float, float, float, float],
-    inside: float,
+    inside: tuple[float, Sequence[CaseInside]],
     V: float,
     clause: str,
     *,
@@ -84,7 +128,8 @@ def punching_force(
 
     It is a column, a pile or a zone, and whether it pulls. The symbols are those of its force and of the one that
     punches, V [N]; parts are its force, other loads, pressure and line force along the plate's edge inside [N], and
-    inside is the area [m2]. The line force counts where it relieves or adds, other supports where they add.
+    inside is the area [m2], with what load cases have there. The line force counts where it relieves or adds, other
+    supports where they add.
     """
     own_symbol, punching = symbols
     (support, pulls), (force, others, pressure, edge) = what, parts
@@ -96,13 +141,7 @@ def punching_force(
         force / MEGA,
         "MN",
     )
-    yield Step("area of the plate inside the perimeter", "A_i", inside, "m2")
-    for words, symbol, name, sum_inside in (
-        ("other loads inside, over the area", "q_o", "N_o", others),
-        ("pressure of the ground inside, its mean", "p_m", "N_p", pressure),
-    ):
-        yield Step(words, symbol, sum_inside / inside / 1e3, "kPa")
-        yield Step(SUMS[name], name, sum_inside / MEGA, "MN", f"{symbol} * A_i / 1000")
+    yield from inside_steps((others, pressure), *inside)
     formula, without = f"{own_symbol} {with_loads} N_o {with_ground} N_p", force + way * (others - pressure)
     counted = edge if relieves or way * edge < 0 else 0.0
     if counted:
@@ -116,11 +155,18 @@ def punching_force(
 
 
 def moment_steps(
-    n: int, parts: MomentParts, force: tuple[str, float], moment: float, what: tuple[Support, bool], of: str = ""
+    n: int,
+    parts: MomentParts,
+    force: tuple[str, float],
+    moment: float,
+    what: tuple[Support, bool],
+    of: str = "",
+    sums: tuple[float, float, float] = (0.0, 0.0, 0.0),
 ) -> Iterator[Step]:
     """Yield what the moment [N m] along axis n = 1 or 2 of all forces about a perimeter's center is made of.
 
-    The parts are along the perimeter's axes, the force [N] has a symbol, and `of` ends the symbols of others.
+    The parts are along the perimeter's axes, the force [N] has a symbol, and `of` ends the symbols of others. Sums are
+    those of other loads, pressure and line force inside [N], where the sheet has them as N_o, N_p and N_e.
     """
     support, _ = what
     own, away, others, pressure, edge, supports = (float(part[n - 1]) for part in parts)
@@ -133,17 +179,45 @@ def moment_steps(
                     support=support, n=n)  # fmt: skip
     yield Step(words, f"e_{n}{of}", some(away), "m")
     formula = f"M_c,{n} + {symbol} * e_{n}{of}"
-    for words, letter, sign, part, always in (
-        (Message("moment of the other loads inside along axis {n}", n=n), "o", with_loads, others, not of),
-        (Message("moment of the pressure inside along axis {n}", n=n), "p", with_ground, pressure, not of),
-        (Message("moment of the line force inside along axis {n}", n=n), "e", with_ground, edge, False),
-        (Message("moment of other supports inside along axis {n}", n=n), "s", "+", supports, False),
+    of_loads, of_ground, of_edge = sums
+    for letter, sign, part, total in (
+        ("o", with_loads, others, of_loads),
+        ("p", with_ground, pressure, of_ground),
+        ("e", with_ground, edge, of_edge),
+        ("s", "+", supports, 0.0),
     ):
-        if always or abs(part) > least:
-            yield Step(words, f"M_{letter},{n}{of}", some(part, least) / MEGA, "MNm")
+        if abs(part) > least:
+            yield from _part_of_moment(n, (letter, of), part, total, least)
             formula += f" {sign} M_{letter},{n}{of}"
     words = Message("moment of all forces by their places along axis {n}", n=n)
     yield Step(words, f"M_{n}{of}", some(moment, least) / MEGA, "MNm", formula)
+
+
+def _part_of_moment(n: int, symbols: tuple[str, str], part: float, total: float, least: float) -> Iterator[Step]:
+    """Yield what a sum inside [N] adds to the moment along axis n [N m], by its resultant's place if it has one."""
+    letter, of = symbols
+    moments = {
+        "o": Message("moment of the other loads inside along axis {n}", n=n),
+        "p": Message("moment of the pressure inside along axis {n}", n=n),
+        "e": Message("moment of the line force inside along axis {n}", n=n),
+        "s": Message("moment of other supports inside along axis {n}", n=n),
+    }
+    resultants = {
+        "o": Message("resultant of the other loads inside from that center, by integration, along axis {n}", n=n),
+        "p": Message("resultant of the pressure inside from that center, by integration, along axis {n}", n=n),
+        "e": Message("resultant of the line force inside from that center, by integration, along axis {n}", n=n),
+    }
+    formula = ""
+    if abs(total) > least:
+        yield Step(resultants[letter], f"e_{letter},{n}{of}", part / total, "m")
+        formula = f"N_{letter} * e_{letter},{n}{of}"
+    yield Step(moments[letter], f"M_{letter},{n}{of}", part / MEGA, "MNm", formula)
+
+
+def axis_step(axes: Array) -> Step:
+    """Return the direction of axis 1 of unit vectors (2, 2) in plan."""
+    angle = math.degrees(math.atan2(axes[0, 1], axes[0, 0]))
+    return Step("angle of axis 1 from x, counterclockwise", "theta_1", some(angle, 1e-6), "degrees")
 
 
 def some(value: float, least: float = SAME) -> float:
@@ -151,13 +225,38 @@ def some(value: float, least: float = SAME) -> float:
     return value if abs(value) > least else 0.0
 
 
-def width_steps(widths: tuple[float, float], setbacks: tuple[float, ...], letter: str = "c") -> Iterator[Step]:
+def width_steps(
+    widths: tuple[float, ...],
+    setbacks: tuple[float, ...],
+    letter: str = "c",
+    formulas: tuple[str, str] = ("", ""),
+) -> Iterator[Step]:
     """Yield the widths along axes 1 and 2 of what is loaded [m], and how far it is from edges that count [m]."""
     for n, width in enumerate(widths, 1):
-        yield Step(Message("extent of what is loaded along axis {n}", n=n), f"{letter}_{n}", width, "m")
+        words = Message("extent of what is loaded along axis {n}", n=n)
+        yield Step(words, f"{letter}_{n}", width, "m", formulas[n - 1])
     for n, setback in enumerate(setbacks, 1):
         words = Message("distance of its face from edge {n} of the slab, to which the perimeter runs out", n=n)
         yield Step(words, f"s_{n}", max(setback, 0.0), "m")
+
+
+def thinner_steps(
+    parts: Sequence[WeightedLegs], formula: Callable[[int], str], clause: str, *, away: bool = False
+) -> Iterator[Step]:
+    """Yield the share of a perimeter's length that counts in parts of thinner slab, by a formula of their number n.
+
+    Parts that count wholly are left out.
+    The formula has t_n, by how much the slab is thinner, and if it asks for that b_n, how far from the face it begins.
+    """
+    thinner = [part for part in parts if part.thinner is not None and part.share < 1]
+    for n, part in enumerate(thinner, 1):
+        assert part.thinner is not None
+        by, far = part.thinner
+        yield Step(Message("by how much the slab is thinner in part {n} of it", n=n), f"t_{n}", by, "m")
+        if away:
+            yield Step(Message("where part {n} begins, from the face", n=n), f"b_{n}", far, "m")
+        words = Message("share of a length that counts in part {n}", n=n)
+        yield Step(words, f"k_t,{n}", part.share, "", formula(n), clause)
 
 
 def length_by_figures(

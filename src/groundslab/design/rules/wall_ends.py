@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from functools import cache, partial
 from typing import Literal
 
@@ -20,7 +20,8 @@ from groundslab.design.demands.by_plate import plate_under
 from groundslab.design.demands.edge_strip import plates_that_count
 from groundslab.design.demands.loads.wall_loads import WallLoads, forces_on_walls, loads_on_wall
 from groundslab.design.demands.perimeter_loads import footprint_of, thickness_at
-from groundslab.design.demands.perimeters import FAR, Openings, outline, shadow_of
+from groundslab.design.demands.perimeter_pieces import WeightedLegs, what_counts
+from groundslab.design.demands.perimeters import FAR, Openings, Perimeter, SketchedPerimeter, outline, shadow_of
 from groundslab.design.demands.wall_perimeters import (
     MOST_ACROSS,
     MOST_AROUND,
@@ -31,7 +32,7 @@ from groundslab.design.demands.wall_perimeters import (
     wall_perimeters,
 )
 from groundslab.design.demands.zones.thinner_slab import Share, depth_share, shares_at, thinner_parts
-from groundslab.design.rules.calculation import BY_CHORDS, MEGA, Step
+from groundslab.design.rules.calculation import BY_CHORDS, MEGA, Step, axis_step
 from groundslab.design.rules.combinations import ultimate_results
 from groundslab.messages import Message, Name
 from groundslab.model.design.reinforcement import Reinforcement
@@ -45,6 +46,8 @@ from groundslab.results.results import CombinationResult, Results
 BETA: Mapping[str, float] = {"end": 1.35, "corner": 1.20}
 #: Where it is shown how much of walls counts.
 FIGURE = "DIN EN 1992-1-1/NA Figure NA.6.12.1"
+#: What the symbols of the length that counts are told apart by from those of the whole perimeter.
+COUNTED = "counted"
 #: The openings that count, of a slab's thickness and its effective depth [m].
 Reach = Callable[[float, float], Openings]
 
@@ -58,11 +61,41 @@ class WallSite:
     d: float  # effective depth [m]
     perimeters: WallPerimeters
     pulls: bool = False  # whether the walls pull up, so that the bars in tension are those at the top
+    shear: Callable[[int], Array] | None = field(default=None, repr=False, compare=False)  # on legs of one [N]
 
     @property
     def face(self) -> Literal["bottom", "top"]:
         """Return the face whose bars are in tension."""
         return "top" if self.pulls else "bottom"
+
+    def sketch(self, a: float) -> SketchedPerimeter:
+        """Return what a sketch of the perimeter at a distance a [m] shows, with the slab's shear force across it.
+
+        Places are along the first wall and to its left, from where the wall ends, or from where the axes meet.
+        """
+        from shapely import MultiPoint, Polygon, union_all
+
+        k = self._position(a)
+        legs, shares = self.perimeters.legs[k]
+        shear = None if self.shear is None else self.shear(k)
+        whole = WeightedLegs(legs, shear=shear)
+        counted = tuple(WeightedLegs(legs[shares == share], float(share)) for share in np.unique(shares) if share > 0)
+        area, run = self.area, self.area.run[0]
+        sides = zip(area.outer, area.along, area.run, area.outward, (self.end.legs[0], self.end.legs[-1]), strict=True)
+        quads = []
+        for start, along, way, out, leg in sides:
+            face = np.array([start, start + along * way])
+            quads.append(Polygon(np.vstack([face, face[::-1] - leg.thickness * out])))
+        loaded = union_all(quads)
+        inside = MultiPoint(np.vstack([legs.reshape(-1, 2), area.points])).convex_hull
+        line = Perimeter(what_counts(counted), legs, legs, inside, bool((shares < 1).any()), (), loaded)
+        about = area.center, np.array([run, [-run[1], run[0]]]), np.array(self.end.place)
+        further = ((COUNTED, SketchedPerimeter(line, counted, *about)),) if (shares < 1).any() else ()
+        return SketchedPerimeter(line, (whole,), *about, further)
+
+    def _position(self, a: float) -> int:
+        """Return the position of the perimeter at a distance [m]."""
+        return int(np.argmin(np.abs(self.perimeters.distances - a)))
 
     def course_steps(self, a: float, symbols: tuple[str, str, str, str], clause: str) -> Iterator[Step]:
         """Yield how long the perimeter at a distance a [m] is, as much of the walls counting as counts.
@@ -71,7 +104,8 @@ class WallSite:
         counts of it.
         """
         d, distance, whole, counted = symbols
-        k = int(np.argmin(np.abs(self.perimeters.distances - a)))
+        k = self._position(a)
+        yield axis_step(self.area.run)
         legs = (self.end.legs[0],) if self.end.kind == "end" else (self.end.legs[0], self.end.legs[-1])
         for n, (leg, along) in enumerate(zip(legs, self.area.along, strict=False), 1):
             name = Name(leg.wall)
@@ -101,14 +135,14 @@ class WallSite:
 
     def whole(self, a: float) -> float:
         """Return how long the perimeter at a distance a [m] is on the plate [m]."""
-        return float(self.perimeters.whole[np.argmin(np.abs(self.perimeters.distances - a))])
+        return float(self.perimeters.whole[self._position(a)])
 
     def force_steps(self, a: float, V: float, symbols: tuple[str, str], clause: str) -> Iterator[Step]:
         """Yield the shear force V [N] of the slab across the perimeter at a distance a [m], by its mean."""
         whole, force = symbols
-        k = int(np.argmin(np.abs(self.perimeters.distances - a)))
-        mean = V / float(self.perimeters.whole[k])
-        yield Step("mean shear force of the slab across it, from the analysis", "v_m", mean / 1e3, "kN/m")
+        mean = V / float(self.perimeters.whole[self._position(a)])
+        words = "mean shear force of the slab across it, by integration along it"
+        yield Step(words, "v_m", mean / 1e3, "kN/m")
         yield Step(
             "shear force of the slab across the perimeter", force, V / MEGA, "MN", f"v_m * {whole} / 1000", clause
         )
@@ -223,6 +257,10 @@ def _punching(
         largest: Array = np.max([sign * site.perimeters.shear(plate) for plate in some], axis=0)
         return largest
 
+    def on_legs(position: int) -> Array:
+        sign, legs = -1.0 if site.pulls else 1.0, site.perimeters.legs[position]
+        return max((sign * legs.shear(plate) for plate in plates), key=lambda on_each: float(on_each.sum()))
+
     V, before = shear(plates), cache(lambda: shear(coarser()))
 
     def error(position: int) -> float | None:
@@ -232,7 +270,7 @@ def _punching(
         pairs = zip(V[near].tolist(), before()[near].tolist(), strict=True)
         return max(estimate_error(*pair, result.comparison) for pair in pairs)
 
-    return WallPunching(site, result, V, error)
+    return WallPunching(replace(site, shear=on_legs), result, V, error)
 
 
 def forces_at_ends(model: Model, results: Sequence[CombinationResult]) -> dict[tuple[str, str], float]:

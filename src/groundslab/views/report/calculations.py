@@ -13,7 +13,8 @@ from groundslab.unit_systems import unit_in
 from groundslab.units import format_number
 from groundslab.views.report.drawings.drawings import Drawing
 from groundslab.views.report.drawings.perimeter_sketch import draw_sketch
-from groundslab.views.report.table_layout import split_symbol
+from groundslab.views.report.drawings.perimeter_tables import tables_of_pieces
+from groundslab.views.report.table_layout import TableLayout, split_symbol
 from groundslab.views.tables.calculations import perimeters
 from groundslab.views.tables.table import Table
 
@@ -29,7 +30,15 @@ _TOKENS = re.compile(
     rf"|(?P<symbol>{SYMBOL.pattern})|(?P<rest>[^^A-Za-z\d]+|[\d.]+(?![\d.e])|.)"
 )
 #: What is said below the sketch of a perimeter.
-SKETCH = "Perimeter that counts, thick; what openings and the limits of straight parts take off, thin. Columns gray."
+SKETCH = "Lengths in m, of arcs with the radius; dashed: what does not count, and tangents."
+#: What is said of tables of pieces.
+PIECES = (
+    "Beside the sketch of a perimeter are its pieces, each from where to where, along axes 1 and 2 from the center of "
+    "the column or the end of the wall, and with the center of its length. What they add to the length, to W, the "
+    "integral of the distance from the center of all, to I, that of its square, and to l, that of the square of the "
+    "cosine of their angle from the axis, is added up below. Arcs are computed as chords, which are shorter by less "
+    "than 0.003 %."
+)
 #: A decimal point.
 _POINT = re.compile(r"(?<=\d)\.(?=\d)")
 #: How functions and numbers with a name are written, if not by their names.
@@ -60,6 +69,7 @@ class Sheet:
     lines: tuple[Line, ...]
     last: float  # what comes out at its end
     sketch: Drawing | None = None
+    pieces: tuple[TableLayout, ...] = ()  # of this perimeter, and of others that it calls upon
     of: str = ""  # what is checked, such as a layer of bars and its section
     block: ClassVar = "sheet"
 
@@ -72,7 +82,8 @@ def draw_sheets(combined: Results, table: Table) -> list[Sheet]:
         if key in sketches:
             label = Message("Perimeter: {title}", title=sheet.title)
             drawn = draw_sketch(combined.solved_model, sketches[key], number, label)
-            sheets.append(replace(sheet, sketch=Drawing(drawn, SKETCH)))
+            pieces = tuple(tables_of_pieces(sketches[key], frozenset(line.symbol for line in sheet.lines)))
+            sheets.append(replace(sheet, sketch=Drawing(drawn, SKETCH), pieces=pieces))
         else:
             sheets.append(sheet)
     return sheets

@@ -20,7 +20,7 @@ from groundslab.schema.wording import listed, printable
 from groundslab.unit_systems import unit_in
 from groundslab.views.report import table_layout
 from groundslab.views.report.assumptions import list_assumptions
-from groundslab.views.report.calculations import draw_sheets
+from groundslab.views.report.calculations import PIECES, draw_sheets
 from groundslab.views.report.certificates import list_certificates
 from groundslab.views.report.document import (
     Bullets,
@@ -259,6 +259,8 @@ def _calculations(combined: Results, tables: Sequence[Table], *, short: bool) ->
         if table.name == "calculations":
             yield from map(Paragraph, table.notes)
             sheets = draw_sheets(combined, table)
+            if any(sheet.pieces for sheet in sheets):
+                yield Paragraph(PIECES)
             yield from governing_sheets(sheets, check_design(combined).checks) if short else sheets
 
 

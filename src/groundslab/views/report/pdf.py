@@ -188,8 +188,9 @@ class _Writer:
     def _of_sheet(self, sheet: Sheet) -> dict[str, Any]:
         """Return a calculation, with the sketch of a perimeter if it has one."""
         sketch = None if sheet.sketch is None else self._of_drawing(sheet.sketch)
+        pieces = [self._of_table(table) | {"title": self.say(table.title)} for table in sheet.pieces]
         return {
-            "block": "sheet", "title": _breakable(self.say(sheet.title)), "sketch": sketch,
+            "block": "sheet", "title": _breakable(self.say(sheet.title)), "sketch": sketch, "pieces": pieces,
             "groups": [
                 list(map(self._of_line, lines)) for _, lines in groupby(sheet.lines, lambda line: bool(line.formula))
             ],

@@ -2,22 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 
 import numpy as np
 
 from groundslab.arrays import made_once
 from groundslab.design.bars.beam_steps import beam_steps
-from groundslab.design.bars.required_bars import MINIMUM, MOMENT, governing_needs, section_name
+from groundslab.design.bars.required_bars import MINIMUM, MOMENT, Need, governing_needs, section_name
 from groundslab.design.checks import check_design, punching
 from groundslab.design.codes.registry import code_of
 from groundslab.design.demands.perimeters import SketchedPerimeter
+from groundslab.design.demands.support_moments import origin_of
 from groundslab.design.rules.bending_steps import BarsNeeded
 from groundslab.design.rules.calculation import Step, with_numbers
 from groundslab.design.rules.combinations import ultimate_results
 from groundslab.design.rules.design_code import Calculation
 from groundslab.design.rules.punching import Heads
 from groundslab.messages import Clause, joined
+from groundslab.model.design.laid_bars import laid_bars
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.fields import LAYERS
 from groundslab.results.results import Results
@@ -83,16 +85,30 @@ def _followed(combined: Results) -> Iterator[tuple[str, Calculation]]:
             yield name, calculation
 
 
+def _used_most(needs: Iterable[Need]) -> Iterator[Need]:
+    """Yield of each layer and section what uses most of the bars that are laid; all where none are."""
+    most: dict[tuple[str, int], Need] = {}
+    for need in needs:
+        key, before = (need.layer, need.section), most.get((need.layer, need.section))
+        if before is None or need.area * (before.laid or 1.0) > before.area * (need.laid or 1.0):
+            most[key] = need
+    yield from most.values()
+
+
 def _bending(
     combined: Results, steel: Reinforcement, by_steps: Callable[[Reinforcement, BarsNeeded, str], Iterator[Step]]
 ) -> Iterator[tuple[str, Calculation]]:
     """Yield the calculations of each layer of bars that are in tension."""
     states = {result.combination: result.limit_state for result in ultimate_results(combined)}
+    nodes = next(iter(combined.results.values())).plate.nodes
+    laid = {layer: laid_bars(steel, layer, nodes).area for layer in LAYERS} if steel.laid else None
     axes = dict(zip(LAYERS, (*steel.bottom_axes, *steel.top_axes), strict=True))
-    for need in governing_needs(combined, steel):
-        if need.governed_by not in FOLLOWED or need.combination is None or need.moment is None:
+    for need in _used_most(governing_needs(combined, steel, laid)):
+        if need.governed_by not in FOLLOWED or need.combination is None or need.moment is None or need.place is None:
             continue
-        bars = BarsNeeded(need.moment, need.thickness, axes[need.layer], need.area, need.minimum)
+        results, axis = combined.results[need.combination], axes[need.layer]
+        origin = origin_of(results, steel, need.layer, need.place, need.moment)
+        bars = BarsNeeded(need.moment, need.thickness, axis, need.area, need.minimum, origin, need.laid)
         state = states[need.combination]
         rule = code_of(steel).bending(steel, state)
         alone = rule.required(np.array([abs(bars.moment)]), bars.d, thickness=bars.thickness)

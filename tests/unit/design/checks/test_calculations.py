@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
@@ -17,6 +18,7 @@ from groundslab.design.codes.en1992_2004.checks.punching_demand import Demand, S
 from groundslab.design.codes.en1992_2023.checks.punching_demand import column_demands
 from groundslab.design.rules.calculation import CONSTANTS, FUNCTIONS, Step, with_numbers
 from groundslab.views.report.drawings.perimeter_sketch import tangents
+from groundslab.views.report.drawings.perimeter_tables import tables_of_pieces
 from groundslab.views.tables.calculations import perimeters
 from groundslab.views.tables.result_tables import table_makers, tables_of
 from groundslab.views.tables.table import Table
@@ -139,6 +141,61 @@ def test_the_sketch_is_the_perimeter(steel: dict[str, Any], length: str) -> None
     ends = np.array([end for end in tangents(sketch) if end[0] > 0])
     corners = np.array([[0.5, -0.2], [0.5, 0.2]])
     assert {round(y / x, 4) for x, y in ends} >= {round(y / x, 4) for x, y in corners}
+
+
+@pytest.mark.parametrize(
+    "columns", [(MIDDLE,), (EDGE,), (CORNER,), (MIDDLE, HOLE)], ids=["in", "edge", "corner", "hole"]
+)
+@pytest.mark.parametrize("steel", [{}, ACI, SECOND], ids=["2004", "ACI", "2023"])
+def test_pieces_add_up_to_the_sheet(columns: tuple[dict[str, Any], ...], steel: dict[str, Any]) -> None:
+    """Straight pieces anew from their ends, from the center; lengths, centers, W and I of all add up to the sheet.
+
+    Of arcs the chord is known by their ends, and their angle by chord and radius.
+    """
+    holes = tuple(each for each in columns if each is HOLE)
+    placed = [each for each in columns if each is not HOLE]
+    changes: dict[str, Any] = {"steel": steel, "thickness": 0.4, "wanted": "all", "openings": holes, "M_y": 0.0}
+    results = solved(*placed, **changes, P=300e3)
+    sheet = of(table_makers(results)["calculations"](), "punching")
+    ((_, sketch),) = perimeters(results).items()
+    (table, *_) = tables_of_pieces(sketch, frozenset(sheet))
+    names = [str(head.text) + head.symbol for head in table.heads]
+    rows = [dict(zip(names, (cell.text for cell in row), strict=True)) for row in table.rows]
+    length = next(name for name in names if name.startswith("length"))
+    for row in rows[:-1]:
+        start, end = (np.array([float(row[f"{word}, along {n}"]) for n in (1, 2)]) for word in ("from", "to"))
+        chord = math.dist(start, end)
+        r = float(row.get("radius") or math.inf)
+        # an arc of a perimeter is a quarter of a circle at most
+        by_hand = chord if r == math.inf else 2 * r * math.asin(min(1.0, chord / (2 * r)))
+        assert float(row[length]) == pytest.approx(by_hand, abs=2e-4)
+    total = rows[-1]
+    assert float(total[length]) == pytest.approx(sheet[length.removeprefix("length")], rel=5e-5)
+    assert float(total[length]) == pytest.approx(sum(float(row[length]) for row in rows[:-1]), abs=1e-4)
+    for name, value in total.items():
+        if name.startswith("part of"):
+            assert float(value) == pytest.approx(sheet.get(name.removeprefix("part of"), 0.0), rel=1e-4)
+        if name.startswith("center"):
+            n = name[-1]
+            away = sheet.get(f"e_{n}", sheet.get(f"x_{n}", 0.0))
+            assert float(value) == pytest.approx(-away, abs=1e-4)
+    for n in (1, 2):
+        _straight_pieces(rows, length, n)
+
+
+def _straight_pieces(rows: list[dict[str, str]], length: str, n: int) -> None:
+    """Hold what straight pieces add to W and I along an axis to their ends and the center of all."""
+    if f"center, along {n}" not in rows[-1]:
+        return
+    center = float(rows[-1][f"center, along {n}"])
+    for row in (row for row in rows[:-1] if not row.get("radius")):
+        a, b = (float(row[f"{word}, along {n}"]) - center for word in ("from", "to"))
+        along, weighted = float(row[length]), (a * a + b * b) / (2 * (abs(a) + abs(b))) if a * b < 0 else abs(a + b) / 2
+        if f"part ofW_{n}" in row:
+            assert float(row[f"part ofW_{n}"]) == pytest.approx(along * weighted, rel=1e-3, abs=1e-4)
+        if f"part ofI_{n}" in row:
+            assert float(row[f"part ofI_{n}"]) == pytest.approx(along * (a * a + a * b + b * b) / 3, rel=1e-3, abs=1e-4)
+            assert float(row[f"part ofl_{n}"]) == pytest.approx((b - a) ** 2 / along, rel=1e-3, abs=1e-4)
 
 
 def test_links_are_told_where_they_are_needed() -> None:
@@ -340,3 +397,34 @@ def test_demands_are_found_once_of_the_same_results(
     other = find(replace(results, model=deeper))
     assert found["high", "M"].d == pytest.approx(0.355)
     assert other["high", "M"].d == pytest.approx(0.335)
+
+
+@pytest.mark.parametrize("steel", [{}, ACI, SECOND], ids=["2004", "ACI", "2023"])
+def test_shares_in_thinner_slab_are_followed(steel: dict[str, Any]) -> None:
+    """A column on a zone 0.1 m thicker than the slab from 0.1 m beside it on: what counts of the length there, by hand.
+
+    By 6.4.4(2) that is max(1, 2 d_t / (a - 0.1)) a d_t / (2 d^2), at most 1; by depth alone d_t / d.
+    """
+    model = gs.Model(
+        plate={"length_x": 6.0, "length_y": 4.0, "thickness": 0.3, "E": 30e9, "nu": 0.2,
+               "zones": [{"thickness": 0.4, "shape": {"kind": "rectangle", "x": (-2.0, 0.3), "y": (-1.5, 1.5)}}]},
+        ground={"kind": "winkler", "k": 20e6},
+        columns=[MIDDLE],
+        cases=[{"name": "G"}],
+        loads=[{"kind": "point", "column": "M", "P": 900e3, "case": "G"}],
+        combinations=[{"name": "high", "limit_state": "ultimate", "factors": {"G": 1.35}}],
+        reinforcement=STEEL | steel,
+        mesh={"size": 0.5},
+    )  # fmt: skip
+    results = solve_once(model)
+    table = table_makers(results)["calculations"]()
+    assert follow(table) > 10
+    found = of(table, "punching")
+    ((_, sketch),) = ((key, each) for key, each in perimeters(results).items() if key[0] == "punching")
+    d = 0.4 - 0.045
+    d_t, a = d - 0.1, found["a"]
+    by_hand = d_t / d if steel else min(1.0, max(1.0, 2 * d_t / (a - 0.1)) * a * d_t / (2 * d**2))
+    assert (found["t_1"], found["k_t,1"]) == pytest.approx((0.1, by_hand))
+    assert {round(piece.share, 9) for piece in sketch.pieces} == {1.0, round(by_hand, 9)}
+    length = next(found[name] for name in ("u", "b_o", "b_05") if name in found)
+    assert sum(piece.length for piece in sketch.pieces) == pytest.approx(length)

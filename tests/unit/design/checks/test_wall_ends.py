@@ -13,6 +13,8 @@ from groundslab.design.checks import punching
 from groundslab.design.rules.check import DesignCheck
 from groundslab.model.model import Model
 from groundslab.results.results import Results
+from groundslab.views.report.drawings.perimeter_tables import tables_of_pieces
+from groundslab.views.tables.calculations import perimeters
 from groundslab.views.tables.result_tables import table_makers
 from groundslab.views.tables.table import Table
 from helpers import synthetic
@@ -65,6 +67,26 @@ def table_of(combined: Results) -> Table:
 def row_of(table: Table, number: int = 0) -> dict[str, Any]:
     """Return a row by the names of its columns."""
     return dict(zip([column.name for column in table.columns], table.rows()[number], strict=True))
+
+
+@pytest.mark.parametrize(("code", "a"), [("EN 1992-1-1", 2 * D), ("ACI 318", D / 2), ("EN 1992-1-1:2023", D / 2)])
+def test_the_pieces_of_its_perimeter_bear_the_force(code: str, a: float) -> None:
+    """By hand: c (t / 2 + a) l along both sides, c a t across the end, of arcs (c r . n) their length by its mean.
+
+    On a quarter circle r . n = a + t / 2 sin w, so that it bears c (pi / 2 a^2 + t / 2 a).
+    """
+    ((_, sketch),) = perimeters(results(code)).items()
+    straight = [piece for piece in sketch.pieces if piece.radius is None]
+    arcs = [piece for piece in sketch.pieces if piece.radius is not None]
+    forces = [C * (T / 2 + a) * ALONG, C * (T / 2 + a) * ALONG, C * a * T]
+    assert [piece.shear for piece in straight] == pytest.approx(forces, rel=1e-6)
+    assert [piece.shear for piece in arcs] == pytest.approx([C * (math.pi / 2 * a**2 + T / 2 * a)] * 2, rel=1e-4)
+    assert [piece.radius for piece in arcs] == pytest.approx([a, a])
+    u, V = at(a)
+    assert sum(piece.length for piece in sketch.pieces) == pytest.approx(u, rel=3e-5)
+    assert sum(piece.shear or 0.0 for piece in sketch.pieces) == pytest.approx(V, rel=1e-4)
+    (table,) = tables_of_pieces(sketch, {"u", "b_o", "b_05", "V_Ed", "V_u"})
+    assert float(table.rows[-1][-1].text) == pytest.approx(V / 1e6, rel=1e-4)
 
 
 def test_punching_by_en_1992() -> None:

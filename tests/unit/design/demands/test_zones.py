@@ -10,8 +10,9 @@ from shapely import box
 
 from groundslab.design.demands.line_properties import centroid, moduli, total_length
 from groundslab.design.demands.perimeter_loads import PunchingForce
+from groundslab.design.demands.perimeter_pieces import what_counts
 from groundslab.design.demands.zones.thicker_zones import ZoneForce, zone_forces
-from groundslab.design.demands.zones.thinner_slab import ThinnerPart, counted, depth_share
+from groundslab.design.demands.zones.thinner_slab import ThinnerPart, depth_share, weighted
 from groundslab.model.model import Model
 from groundslab.model.structure.columns import Column
 from groundslab.results.results import Results
@@ -101,7 +102,7 @@ def test_legs_in_thinner_slab_count_in_part() -> None:
     corners = np.array([(-1, -1), (1, -1), (1, 1), (-1, 1), (-1, -1)], dtype=float)
     legs = np.stack([corners[:-1], corners[1:]], axis=1)
     parts = (ThinnerPart(0.2, 0.0, box(0.5, -2, 2, 2)), ThinnerPart(0.3, 0.0, box(-2, -2, -1.5, 2)))
-    kept = counted(legs, parts, depth_share, 1.0, 0.5)
+    kept = what_counts(weighted(legs, parts, depth_share, 1.0, 0.5))
     w = 0.6
     total = 2 + 2 * 1.5 + w * (2 * 0.5 + 2)
     assert total_length(kept) == pytest.approx(total)
@@ -109,4 +110,4 @@ def test_legs_in_thinner_slab_count_in_part() -> None:
     assert centroid(kept) == pytest.approx((first / total, 0.0))
     W_y = 2 * 1.5 + w * 2 * 0.5 + 2 * 0.5 + w * 1
     assert moduli(kept, np.zeros(2))[1] == pytest.approx(W_y, rel=1e-3)
-    assert counted(legs, parts[1:], depth_share, 1.0, 0.5) is legs
+    assert what_counts(weighted(legs, parts[1:], depth_share, 1.0, 0.5)) is legs

@@ -126,6 +126,8 @@ class Transfer:
     axes: Array  # (2, 2): unit vectors of both
     second: Array  # (2,): int e^2 dl of the sides [m3]
     lengths: Array  # (2,): int cos^2 dl of the sides [m]
+    mixed: tuple[float, float] = (0.0, 0.0)  # int e_1 e_2 dl [m3] and int cos_1 cos_2 dl [m] of the sides
+    turned: bool = False  # whether the axes are the principal ones, and not those of the column
 
     @property
     def v_u(self) -> float:
@@ -160,12 +162,15 @@ def transfer(
     """
     center = centroid(legs)
     J = polar_moments(legs, center, d)
-    axes = principal_axes(J, np.eye(2) if axes is None else axes)
+    own = np.eye(2) if axes is None else axes
+    axes = principal_axes(J, own)
     b_1, b_2 = np.ptp((legs if whole is None else whole).reshape(-1, 2) @ axes.T, axis=0)
     shares = np.array([gamma_v(b_1, b_2), gamma_v(b_2, b_1)])
     places = (legs.reshape(-1, 2) - center) @ axes.T
     along, J_c = axes @ moments, np.diag(axes @ J @ axes.T)
     worst = places[np.argmax(places @ (shares * along / J_c))]
-    second, lengths = (np.diag(axes @ each @ axes.T) for each in (second_moments(legs, center), directions(legs)))
-    extents = np.array([b_1, b_2])
-    return Transfer(V_u, total_length(legs) * d, extents, shares, along, J_c, worst, axes, second, lengths)
+    second, lengths = (axes @ each @ axes.T for each in (second_moments(legs, center), directions(legs)))
+    extents, mixed = np.array([b_1, b_2]), (float(second[0, 1]), float(lengths[0, 1]))
+    diagonals = np.diag(second), np.diag(lengths)
+    area = total_length(legs) * d
+    return Transfer(V_u, area, extents, shares, along, J_c, worst, axes, *diagonals, mixed, axes is not own)

@@ -31,7 +31,7 @@ from groundslab.design.codes.en1992_2004 import bending, cracking, shear
 from groundslab.design.codes.en1992_2004.materials import Concrete
 from groundslab.design.codes.en1992_2004.materials_of_case import largest_cover, materials, widest_crack
 from groundslab.design.codes.eurocode2 import torsion
-from groundslab.design.codes.eurocode2.struts import LEVER, Links, links_by_struts
+from groundslab.design.codes.eurocode2.struts import LEVER, Links, flattest_step, links_by_struts
 from groundslab.design.codes.eurocode2.torsion import Tube
 from groundslab.design.rules.bending_steps import CM2
 from groundslab.design.rules.calculation import MEGA, Step
@@ -157,19 +157,26 @@ def flange_steps(steel: Reinforcement, limit_state: str, flange: Flange) -> Iter
     """Yield the calculation from the stress between web and flange to the bars across at one place."""
     concrete, bars = materials(steel, limit_state)
     limit, stress = flange_limit(steel, limit_state), float(flange.stress[0])
-    yield Step("strength of struts", "f_nu", concrete.strut / MEGA, "MPa", clause="6.2.2(6)")
+    yield from shear.concrete_steps(concrete)
+    yield from shear.strut_steps(concrete, "f_nu", "6.2.2(6)")
     yield Step("share used, of struts at 45 degrees", "eta", stress / limit, "", "2 * tau / f_nu", "6.2.4(4), 6.22")
     borne = BORNE_BY_CONCRETE * ALPHA_CT * 0.7 * concrete.f_ctm / concrete.gamma_c
-    yield Step("stress that needs no bars", "tau_0", borne / MEGA, "MPa", clause="6.2.4(6)")
+    yield from shear.strength_steps(concrete, bars)
+    if not concrete.annex.beam_links[1]:
+        yield Step("mean tensile strength", "f_ctm", concrete.f_ctm / MEGA, "MPa", clause="Table 3.1")
+    formula = f"{BORNE_BY_CONCRETE:g} * {ALPHA_CT:g} * 0.7 * f_ctm / gamma_C"
+    yield Step("stress that needs no bars", "tau_0", borne / MEGA, "MPa", formula, "6.2.4(6)")
     area = float(flange_bars(steel, limit_state, flange.stress, flange.compressed)[0] * flange.h[0]) * CM2
     if np.isinf(area) or stress <= borne:
         return
     cot = FLATTEST_IN_FLANGES[0] if flange.compressed[0] else FLATTEST_IN_FLANGES[1]
     by_struts = links_by_struts(flange.stress, np.ones(1), concrete.strut, bars.f_yd, cot)
-    yield Step("cot theta, the flattest struts that are borne", "cot", float(by_struts.cot_theta[0]), clause="6.2.4(4)")
+    compressed, pulled = "largest cot theta of compressed flanges", "largest cot theta of flanges in tension"
+    yield Step(compressed if flange.compressed[0] else pulled, "cot_max", cot, clause="6.2.4(4)")
+    yield flattest_step(float(by_struts.cot_theta[0]), ("eta", stress / limit), "6.2.4(4), 6.22")
     yield Step("strength of bars", "f_yd", bars.f_yd / MEGA, "MPa", clause="3.2.7(2)")
     least = shear.minimum_beam_links(concrete, bars)
-    yield Step("least ratio of bars", "rho_min", least, "", clause="9.2.2(5)")
+    yield Step("least ratio of bars", "rho_min", least, "", shear.least_links_formula(concrete), "9.2.2(5)")
     formula = "max(tau / (f_yd * cot), rho_min) * h_f * 10000"
     yield Step("bars across the rib, both faces together", "a_sf", area, "cm2/m", formula, "6.2.4(4), 6.21")
 
@@ -242,7 +249,8 @@ def web_steps(steel: Reinforcement, limit_state: str, webs: Web) -> Iterator[Ste
         yield Step("largest cover of longitudinal bars", "c", cover, "m", clause="6.2.3(1) of the annex")
         formula = f"min({formula}, max(d - 2 * c, d - c - {shear.COVER_LESS:g}))"
     yield Step("lever arm", "z", z, "m", formula, "6.2.3(1)")
-    yield Step("strength of struts", "f_nu", concrete.strut / MEGA, "MPa", clause="6.2.2(6), 6.2.3(3)")
+    yield from shear.concrete_steps(concrete)
+    yield from shear.strut_steps(concrete, "f_nu", "6.2.2(6), 6.2.3(3)")
     most = "most that struts bear, at 45 degrees"
     V_max = webs.b * z * concrete.strut / 2 / MEGA
     yield Step(most, "V_Rd,max", V_max, "MN", "b_w * z * f_nu / 2", "6.2.3(3), 6.9")
@@ -259,9 +267,12 @@ def web_steps(steel: Reinforcement, limit_state: str, webs: Web) -> Iterator[Ste
         return
     cot = float(_struts(steel, limit_state, webs).cot_theta[0])
     yield Step("strength of links", "f_ywd", bars.f_yd / MEGA, "MPa", clause="3.2.7(2)")
-    yield Step("cot theta, the flattest struts that are borne", "cot", cot, clause="6.2.3(2), 6.3.2(2)")
-    least = float(need.least_links[0]) * CM2
-    yield Step("least links", "a_sw,min", least, "cm2/m", clause="9.2.2(5)")
+    of_both = float(_shear_of_both(steel, concrete, webs)[0])
+    yield from shear.flattest_steps(concrete, of_both, z, "(eta * z * f_nu / 2)")
+    yield flattest_step(cot, ("eta", float(need.used[0])), "6.2.3(2), 6.3.2(2)")
+    least, ratio = float(need.least_links[0]) * CM2, shear.least_links_formula(concrete)
+    yield from shear.strength_steps(concrete, bars)
+    yield Step("least links", "a_sw,min", least, "cm2/m", f"{ratio} * b_w * 10000" if ratio else "", "9.2.2(5)")
     both = "(V_Ed / z + T_Ed / A_k)" if twisted else "V_Ed / z"
     formula = f"max({both} / (f_ywd * cot) * 10000, a_sw,min)"
     clause = "6.2.3(3), 6.8" + ("; 6.3.2(2)" if twisted else "")

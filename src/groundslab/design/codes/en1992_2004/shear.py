@@ -12,12 +12,14 @@ the annex, by default 0.18 / gamma_C, 0.035, 0.6 (1 - f_ck / 250) and cot theta 
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 
 import numpy as np
 
 from groundslab.arrays import Array
 from groundslab.design.codes.en1992_2004.materials import Concrete, Steel
 from groundslab.design.codes.eurocode2.struts import LEVER, LINKS, Links, links_by_struts
+from groundslab.design.rules.calculation import MEGA, Step
 
 __all__ = [
     "LEVER", "Links", "lever", "minimum_beam_links", "minimum_links", "required_links", "resistance_without_links",
@@ -92,3 +94,47 @@ def minimum_beam_links(concrete: Concrete, steel: Steel) -> float:
     """Return the least links of beams per area of the plan [m2/m2], 9.2.2(5)."""
     of_root, of_tension = concrete.annex.beam_links
     return (of_root * math.sqrt(concrete.f_ck / _MPA) * _MPA + of_tension * concrete.f_ctm) / steel.f_yk
+
+
+def concrete_steps(concrete: Concrete) -> Iterator[Step]:
+    """Yield the strength of the concrete in shear, and its partial factor."""
+    yield Step("strength of the concrete", "f_ck", concrete.f_ck_shear / MEGA, "MPa", clause="Table 3.1")
+    yield Step("partial factor", "gamma_C", concrete.gamma_c, clause="2.4.2.4")
+
+
+def strut_steps(concrete: Concrete, symbol: str, clause: str) -> Iterator[Step]:
+    """Yield the strength of struts, nu f_cd, by its symbol."""
+    a, b, c = concrete.annex.nu
+    yield Step("factor of the concrete in struts", "alpha_cc", concrete.alpha_cc_shear, clause="3.1.6(1)")
+    formula = f"{a:g} * min(1, {b:g} - f_ck / {c:g}) * alpha_cc * f_ck / gamma_C"
+    yield Step("strength of struts", symbol, concrete.strut / MEGA, "MPa", formula, clause)
+
+
+def flattest_steps(concrete: Concrete, v: float, z: float, of_force: str) -> Iterator[Step]:
+    """Yield the largest cot theta for a shear force [N/m], written as a formula [MN/m], and a lever arm z [m]."""
+    most, friction, clause = concrete.annex.flattest, concrete.annex.crack_friction, "6.2.3(2) of the annex"
+    formula = f"{most:g}"
+    if friction:
+        v_cc = friction * np.cbrt(concrete.f_ck_shear / MEGA) * z
+        of_friction = f"{friction:g} * f_ck^(1/3) * z"
+        yield Step("force that the concrete carries by friction in cracks", "v_cc", v_cc, "MN/m", of_friction, clause)
+        if v_cc < v / MEGA:
+            formula = f"max(1, min({most:g}, 1.2 / (1 - v_cc / {of_force})))"
+    largest = float(flattest(np.array([v]), np.array([z]), concrete)[0])
+    yield Step("largest cot theta", "cot_max", largest, "", formula, clause)
+
+
+def least_links_formula(concrete: Concrete) -> str:
+    """Return the formula of the least ratio of links of beams; none where f_ck in shear is bounded."""
+    of_root, of_tension = concrete.annex.beam_links
+    if of_root and concrete.f_ck > concrete.f_ck_shear:  # the f_ck of the calculation is another one
+        return ""
+    strength = f"{of_root:g} * sqrt(f_ck)" if of_root else f"{of_tension:g} * f_ctm"
+    return f"{strength} / f_yk"
+
+
+def strength_steps(concrete: Concrete, bars: Steel) -> Iterator[Step]:
+    """Yield the strengths that least links follow from."""
+    if concrete.annex.beam_links[1]:
+        yield Step("mean tensile strength", "f_ctm", concrete.f_ctm / MEGA, "MPa", clause="Table 3.1")
+    yield Step("yield strength", "f_yk", bars.f_yk / MEGA, "MPa", clause="3.2.2(3)")

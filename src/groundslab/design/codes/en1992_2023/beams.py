@@ -22,7 +22,7 @@ from groundslab.arrays import Array, Flags
 from groundslab.design.codes.en1992_2023 import shear
 from groundslab.design.codes.en1992_2023.materials_of_case import flattest, materials
 from groundslab.design.codes.eurocode2 import torsion
-from groundslab.design.codes.eurocode2.struts import LEVER, Links, links_by_struts
+from groundslab.design.codes.eurocode2.struts import LEVER, Links, flattest_step, links_by_struts
 from groundslab.design.codes.eurocode2.torsion import Tube
 from groundslab.design.rules.bending_steps import CM2
 from groundslab.design.rules.calculation import MEGA, Step
@@ -61,13 +61,18 @@ def flange_steps(steel: Reinforcement, limit_state: str, flange: Flange) -> Iter
     """Yield the calculation from the stress between web and flange to the bars across at one place."""
     concrete, bars = materials(steel, limit_state)
     used = float(flange.stress[0]) / flange_limit(steel, limit_state)
-    yield Step("strength of struts", "f_nu", concrete.strut / MEGA, "MPa", clause="8.2.5, 8.71")
+    yield from shear.design_strength(concrete)
+    yield Step(
+        "strength of struts", "f_nu", concrete.strut / MEGA, "MPa", f"{concrete.annex.nu:g} * f_cd", "8.2.5, 8.71"
+    )
     yield Step("share used, of struts at 45 degrees", "eta", used, "", "2 * tau / f_nu", "8.2.5, 8.70")
     area = float(flange_bars(steel, limit_state, flange.stress, flange.compressed)[0] * flange.h[0]) * CM2
     if used > 1:
         return
     yield Step("strength of bars", "f_yd", bars.f_yd / MEGA, "MPa", clause="5.2.4")
-    yield Step("least ratio of bars", "rho_min", shear.minimum_links(concrete, bars), "", clause="12.4")
+    yield Step("yield strength", "f_yk", bars.f_yk / MEGA, "MPa", clause="5.2.4")
+    least = shear.minimum_links(concrete, bars)
+    yield Step("least ratio of bars", "rho_min", least, "", "0.08 * sqrt(f_ck) / f_yk", "12.4")
     formula = "max(tau / f_yd, rho_min) * h_f * 10000" if area else ""
     yield Step("bars across the rib, both faces together", "a_sf", area, "cm2/m", formula, "8.2.5, 8.69")
 
@@ -114,7 +119,8 @@ def web_steps(steel: Reinforcement, limit_state: str, webs: Web) -> Iterator[Ste
     yield from force_steps(webs, ("V_Ed", "T_Ed"))
     z = LEVER * float(webs.d[0])
     yield Step("lever arm", "z", z, "m", f"{LEVER:g} * d", "8.2.1(3)")
-    yield Step("strength of struts", "f_nu", concrete.strut / MEGA, "MPa", clause="8.2.3(6)")
+    yield from shear.design_strength(concrete)
+    yield Step("strength of struts", "f_nu", concrete.strut / MEGA, "MPa", f"{concrete.annex.nu:g} * f_cd", "8.2.3(6)")
     tau_V = float(webs.V[0]) / (webs.b * z) / MEGA
     yield Step("shear stress", "tau_Ed", tau_V, "MPa", "V_Ed / (b_w * z)", "8.2.1(3), 8.18")
     both, twisted = "tau_Ed", bool(webs.T[0] > 0)
@@ -127,8 +133,15 @@ def web_steps(steel: Reinforcement, limit_state: str, webs: Web) -> Iterator[Ste
         return
     cot = float(_struts(steel, limit_state, webs).cot_theta[0])
     yield Step("strength of links", "f_ywd", bars.f_yd / MEGA, "MPa", clause="5.2.4")
-    yield Step("cot theta of shear, the flattest struts that are borne", "cot", cot, clause="8.2.3(4)")
-    yield Step("least links", "a_sw,min", float(need.least_links[0]) * CM2, "cm2/m", clause="12.2(4), 12.4")
+    left = concrete.strut - 2 * float(Tube.of(webs).stress(webs.T)[0])
+    share, of_shear = 2 * tau_V * MEGA / left, f"2 * tau_Ed / {'(f_nu - 2 * tau_t)' if twisted else 'f_nu'}"
+    words = "shear stress over what torsion leaves of struts at 45 degrees"
+    yield Step(words, "w", share, "", of_shear, "8.3.6, 8.86" if twisted else "8.2.3(6), 8.44")
+    yield Step("largest cot theta", "cot_max", float(flattest(steel, concrete)), clause="8.2.3(4)")
+    yield flattest_step(cot, ("w", share), "8.2.3(4)")
+    yield Step("yield strength", "f_yk", bars.f_yk / MEGA, "MPa", clause="5.2.4")
+    least = float(need.least_links[0]) * CM2
+    yield Step("least links", "a_sw,min", least, "cm2/m", "0.08 * sqrt(f_ck) / f_yk * b_w * 10000", "12.2(4), 12.4")
     both = "V_Ed / (z * cot) + T_Ed / A_k" if twisted else "V_Ed / (z * cot)"
     formula = f"max(({both}) / f_ywd * 10000, a_sw,min)"
     clause = "8.2.3, 8.42" + ("; 8.3.4, 8.82" if twisted else "")

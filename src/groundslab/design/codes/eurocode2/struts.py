@@ -20,8 +20,8 @@ from groundslab.design.rules.calculation import Step
 LEVER = 0.9
 #: Links, with forces per width in MN/m, stresses in MPa and lengths in m.
 LINKS = "v_Ed / (z * f_ywd * cot) * 10000"
-#: How flat struts are that the concrete bears, w being v_Ed over the most that it bears at 45 degrees.
-SHARE, FLATTEST = "2 * v_Ed / (z * nu_f_cd)", "max(1, min(cot_max, (1 + sqrt(1 - w^2)) / w))"
+#: The shear force over the most that struts at 45 degrees bear.
+SHARE = "2 * v_Ed / (z * nu_f_cd)"
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,4 +66,11 @@ def struts_in_steps(v: float, z: float, strut: float, cot: float, clause: str) -
     """
     share = 2 * v / (z * strut)
     yield Step("shear force over what struts at 45 degrees bear", "w", share, "", SHARE, clause)
-    yield Step("cot theta, the flattest struts that are borne", "cot", cot, "", FLATTEST, clause)
+    yield flattest_step(cot, ("w", share), clause)
+
+
+def flattest_step(cot: float, share: tuple[str, float], clause: str) -> Step:
+    """Return how flat struts are, by the symbol and size of the share used of what those at 45 degrees bear."""
+    words, (w, used) = "cot theta, the flattest struts that are borne", share
+    formula = f"max(1, min(cot_max, (1 + sqrt(1 - {w}^2)) / {w}))" if used > 0 else "cot_max"
+    return Step(words, "cot", cot, "", formula, clause)

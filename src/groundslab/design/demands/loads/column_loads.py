@@ -154,6 +154,26 @@ def acting_inside(
     return dict(sums)
 
 
+def weights_inside(
+    results: CombinationResult, shapes: Shapes, shares: tuple[Integers, Array]
+) -> dict[str, tuple[float, float]]:
+    """Return the unit weight [N/m3] of the slab on a part, and its volume there [m3], by the load case that has it.
+
+    The part is given by elements that may meet it and int N dA over it (see `acting_inside`). Of a case with several
+    unit weights the weight over the volume is meant.
+    """
+    elements, areas = shares
+    found: dict[str, tuple[float, float]] = {}
+    for case, shape in shapes:
+        if isinstance(shape, PlateAction) and shape.unit_weight:
+            there = _of_plate(results, elements, shape.plate)
+            volume = float((results.elements.thickness[elements[there], None] * areas[there]).sum())
+            weight, before = found.get(case, (0.0, 0.0))
+            if volume:
+                found[case] = (weight * before + shape.unit_weight * volume) / (before + volume), before + volume
+    return found
+
+
 @dataclass(frozen=True, slots=True)
 class _Inside:
     """A part of the plate, and what its elements have inside it."""

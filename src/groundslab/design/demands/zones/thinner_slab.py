@@ -15,6 +15,7 @@ import numpy as np
 
 from groundslab.arrays import Array
 from groundslab.design.demands.perimeter_loads import CORNER_REACH
+from groundslab.design.demands.perimeter_pieces import WeightedLegs
 from groundslab.design.demands.perimeters import area_of, outside, within
 from groundslab.fem import load_vectors
 from groundslab.fem.mesh import Mesh
@@ -69,14 +70,21 @@ def thinner_parts(
     )
 
 
-def counted(legs: Array, parts: Sequence[ThinnerPart], share: Share, distance: float, d: float) -> Array:
-    """Return what counts of the legs (l, 2, 2) [m] of a perimeter at a distance, d the depth where it starts [m]."""
+def weighted(
+    legs: Array, parts: Sequence[ThinnerPart], share: Share, distance: float, d: float
+) -> tuple[WeightedLegs, ...]:
+    """Return the legs (l, 2, 2) [m] of a perimeter at a distance by how much of them counts.
+
+    d is the effective depth where the perimeter starts [m].
+    """
+    thin = []
     for part in parts:
         thinner = within(legs, part.region)
         if len(thinner):
-            dashes = _dashes(thinner, share(part, distance, d), DASH * d)
-            legs = np.concatenate([outside(legs, part.region), dashes])
-    return legs
+            legs = outside(legs, part.region)
+            of_part = share(part, distance, d)
+            thin.append(WeightedLegs(thinner, of_part, DASH * d, thinner=(part.by, part.away)))
+    return (WeightedLegs(legs), *thin)
 
 
 def shares_at(places: Array, distance: float, parts: Sequence[ThinnerPart], share: Share, d: float) -> Array:
@@ -87,17 +95,3 @@ def shares_at(places: Array, distance: float, parts: Sequence[ThinnerPart], shar
     for part in parts:
         shares[contains_xy(part.region, *places.T)] = share(part, distance, d)
     return shares
-
-
-def _dashes(legs: Array, share: float, longest: float) -> Array:
-    """Return dashes (k, 2, 2) that are a share of legs (l, 2, 2), no farther from each other than a length [m]."""
-    if share <= 0:
-        return legs[:0]
-    run = legs[:, 1] - legs[:, 0]
-    counts = np.maximum(1, np.ceil(np.linalg.norm(run, axis=1) / longest)).astype(int)
-    leg = np.repeat(np.arange(len(legs)), counts)
-    number = np.arange(len(leg)) - np.repeat(np.cumsum(counts) - counts, counts)
-    middle = ((number + 0.5) / counts[leg])[:, None]
-    half = (share / 2 / counts[leg])[:, None]
-    start = legs[leg, 0]
-    return np.stack([start + (middle - half) * run[leg], start + (middle + half) * run[leg]], axis=1)

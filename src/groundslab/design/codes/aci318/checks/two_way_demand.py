@@ -15,15 +15,17 @@ from groundslab.design.codes.aci318.materials_of_case import materials
 from groundslab.design.demands import line_properties, perimeter_loads
 from groundslab.design.demands.by_plate import plate_under
 from groundslab.design.demands.perimeter_loads import (
+    CaseInside,
     MomentParts,
     PerimeterLoads,
     Places,
     PunchingForce,
     PunchingShear,
 )
+from groundslab.design.demands.perimeter_pieces import WeightedLegs, what_counts
 from groundslab.design.demands.perimeters import Openings, Perimeter, SketchedPerimeter, perimeter_at, surroundings
 from groundslab.design.demands.zones.thicker_zones import zone_forces
-from groundslab.design.demands.zones.thinner_slab import counted, depth_share, thinner_parts
+from groundslab.design.demands.zones.thinner_slab import depth_share, thinner_parts, weighted
 from groundslab.design.rules.combinations import ultimate_results
 from groundslab.design.rules.demand_errors import error_of
 from groundslab.design.rules.punching import Demands
@@ -63,17 +65,24 @@ class TwoWay:
     transfer: aci318.Transfer | None = field(default=None, repr=False, compare=False)  # of a column or pile
     beta_e: float | None = None  # by what v_u at an end of a wall is larger than its mean
     line: Perimeter | None = field(default=None, repr=False, compare=False)  # of a column or pile
+    counted: tuple[WeightedLegs, ...] = field(default=(), repr=False, compare=False)  # what counts of it
     pulls: bool = False  # whether a column pulls up, or a pile down
     parts: MomentParts | None = field(default=None, repr=False, compare=False)  # of the transfer's moments
     inside: float = 0.0  # area inside [m2]
+    cases: tuple[CaseInside, ...] = field(default=(), repr=False, compare=False)  # what load cases have there
     widths: tuple[float, float] | None = None  # of a column or pile, along an edge and across [m]
     setbacks: tuple[float, ...] = ()  # of the edges that the section ends at [m]
     wall: WallSite | None = field(default=None, repr=False, compare=False)  # of an end or a corner of walls
 
     @property
     def sketch(self) -> SketchedPerimeter | None:
-        """Return the critical section of a column or pile."""
-        return None if self.line is None else SketchedPerimeter(self.line, self.line.legs, np.array(self.place))
+        """Return the critical section."""
+        if self.wall is not None:
+            return self.wall.sketch(self.d / 2)
+        if self.line is None or self.transfer is None:
+            return None
+        place = np.array(self.place)
+        return SketchedPerimeter(self.line, self.counted, place, self.transfer.axes, place)
 
 
 @dataclass(frozen=True, slots=True)
@@ -82,7 +91,7 @@ class CriticalSection:
 
     d: float  # effective depth [m]
     line: Perimeter
-    legs: Array  # (l, 2, 2): what counts of its sides, in thinner slab by the depth there [m]
+    parts: tuple[WeightedLegs, ...]  # of its sides that count, in thinner slab by the depth there
     center: Array  # (2,): of the sides that count [m]
     axes: Array  # (2, 2): unit vectors of the column's own axes
     beta: float
@@ -90,6 +99,11 @@ class CriticalSection:
     loads: PerimeterLoads
     widths: tuple[float, float]  # of what is loaded, along an edge and across, else along its own axes [m]
     setbacks: tuple[float, ...]  # of the edges that it ends at [m]
+
+    @property
+    def legs(self) -> Array:
+        """Return what counts of its sides (l, 2, 2) [m]."""
+        return what_counts(self.parts)
 
 
 @made_once_by(lambda results, model: (results.plate.nodes, model))
@@ -169,7 +183,8 @@ def section_at(
     near = perimeter_loads.loads_near(results, punching, reach)
     loads = near.inside(results, punching.area_inside(line, distance))
     thinner = thinner_parts(results, footprint.footprint(), punching.thickness(results), reach)
-    legs = counted(line.legs, thinner, depth_share, distance, d)
+    parts = weighted(line.legs, thinner, depth_share, distance, d)
+    legs = what_counts(parts)
     center = line_properties.centroid(legs)
     # alpha_s d / b_o with the mean depth, over the whole length
     alpha_s = aci318.ALPHA_S[shape] * (line_properties.total_length(legs) / line.u) ** 2
@@ -179,7 +194,7 @@ def section_at(
     ratio, widths = max(sides) / min(sides), (float(along), float(across))
     # square corners end at an edge where legs that run straight out to it do
     setbacks = tuple(edge.setback for edge in around.edges[: EDGES.get(shape, 0)])
-    return CriticalSection(d, line, legs, center, footprint.axes, ratio, alpha_s, loads, widths, setbacks)
+    return CriticalSection(d, line, parts, center, footprint.axes, ratio, alpha_s, loads, widths, setbacks)
 
 
 def openings_of(results: CombinationResult, punching: PunchingForce) -> Openings:
@@ -212,9 +227,11 @@ def demand_on(
         transfer,
         parts=shear.parts.along(transfer.axes),
         inside=section.loads.size,
+        cases=shear.cases,
         widths=section.widths,
         setbacks=section.setbacks,
         line=section.line,
+        counted=section.parts,
         pulls=punching.pulls,
     )
 

@@ -20,12 +20,15 @@ from groundslab.design.rules.calculation import (
     BY_CHORDS,
     MEGA,
     Step,
+    axis_step,
     counted_length,
     depth_steps,
     from_below,
     length_by_figures,
     moment_steps,
     punching_force,
+    some,
+    thinner_steps,
     width_steps,
 )
 from groundslab.design.rules.punching_links.demand import Support
@@ -47,7 +50,8 @@ def steps(demand: TwoWay, steel: Reinforcement, support: Support) -> Iterator[St
     else:
         inside = demand.force, demand.others, demand.pressure, demand.edge
         symbols, relieves = ("N_u", "V_u"), steel.line_force_relieves
-        yield from punching_force(what, symbols, inside, demand.inside, demand.V_u, "22.6.4.1", relieves=relieves)
+        there = demand.inside, demand.cases
+        yield from punching_force(what, symbols, inside, there, demand.V_u, "22.6.4.1", relieves=relieves)
         yield from _length(demand)
     if demand.transfer is not None:
         yield from _transfer(demand, demand.transfer, what)
@@ -81,6 +85,7 @@ def _length(demand: TwoWay) -> Iterator[Step]:
     yield from width_steps(widths, demand.setbacks, "w")
     whole = total_length(line.whole)
     formula = length_by_figures(widths, demand.setbacks, ("a", a), whole, square=True, symbols=("w_1", "w_2"))
+    yield from thinner_steps(demand.counted, lambda n: f"1 - t_{n} / d", "22.6.4")
     yield from counted_length(whole, formula, ("b_o", demand.b_o), "22.6.4")
 
 
@@ -120,15 +125,31 @@ def _stirrups(demand: TwoWay, concrete: Concrete, bars: Steel) -> Iterator[Step]
     yield Step("stirrups around it in each of their rows", "A_v", A_v * s * 1e4, "cm2", "A_vs * s", "22.6.7.2")
 
 
+def _principal(transfer: aci318.Transfer, d: float) -> Iterator[Step]:
+    """Yield that J_c has no mixed term on its axes, which are those about which both moments count at once."""
+    I_12, l_12 = transfer.mixed
+    words = "integral over the sides of the product of the distances from the center along both axes"
+    yield Step(words, "I_12", some(I_12), "m3", clause="R8.4.4.2.3")
+    words = "integral over the sides of the product of the cosines of their angles from both axes"
+    yield Step(words, "l_12", some(l_12), "m", clause="R8.4.4.2.3")
+    words = "mixed term of J_c, none as the axes are its principal ones"
+    yield Step(words, "J_12", some(d * I_12 + d**3 / 12 * l_12), "m4", "d * I_12 + d^3 / 12 * l_12", "R8.4.4.2.3")
+
+
 def _transfer(demand: TwoWay, transfer: aci318.Transfer, what: tuple[Support, bool]) -> Iterator[Step]:
     """Yield the moments that shear transfers, at the place where v_u is largest."""
     assert demand.parts is not None
+    yield axis_step(transfer.axes)
+    if transfer.turned:
+        yield from _principal(transfer, demand.d)
     for n, extent in zip((1, 2), transfer.extents, strict=True):
         yield Step(
             Message("extent of the whole section along axis {n}", n=n), f"b_{n}", float(extent), "m", clause="8.4.2.2.2"
         )
     for n in (1, 2):
-        yield from moment_steps(n, demand.parts, ("N_u", demand.force), float(transfer.moments[n - 1]), what)
+        sums = demand.others, demand.pressure, demand.edge
+        moment = float(transfer.moments[n - 1])
+        yield from moment_steps(n, demand.parts, ("N_u", demand.force), moment, what, sums=sums)
         formula = aci318.FORMULAS[f"gamma_v{n}"]
         share = float(transfer.shares[n - 1])
         yield Step("share of it that shear transfers", f"gamma_v{n}", share, "", formula, "8.4.4.2.2")

@@ -38,6 +38,7 @@ from groundslab.design.demands.perimeter_loads import (
     PunchingForce,
     PunchingShear,
 )
+from groundslab.design.demands.perimeter_pieces import WeightedLegs, what_counts
 from groundslab.design.demands.perimeter_shear import PerimeterShear
 from groundslab.design.demands.perimeters import (
     Perimeter,
@@ -48,7 +49,7 @@ from groundslab.design.demands.perimeters import (
     within,
 )
 from groundslab.design.demands.zones.thicker_zones import ZoneForce, zone_forces
-from groundslab.design.demands.zones.thinner_slab import ThinnerPart, counted, thinner_parts
+from groundslab.design.demands.zones.thinner_slab import ThinnerPart, thinner_parts, weighted
 from groundslab.design.rules.combinations import ultimate_results
 from groundslab.design.rules.demand_errors import error_of
 from groundslab.design.rules.punching import Demands
@@ -181,8 +182,8 @@ class _Site:
             parts = [self.punching.area_inside(line, distance) for distance, line in lines.items()]
             loads = self.near.inside_each(results, parts)
             for (distance, line), inside in zip(lines.items(), loads, strict=True):
-                legs = counted(line.legs, self.thinner, share_of_thinner, distance, self.d)
-                control = _control((line, legs), distance, self.d, self.around, inside)
+                counted = weighted(line.legs, self.thinner, share_of_thinner, distance, self.d)
+                control = _control((line, counted), distance, self.punching, self.d, self.around, inside)
                 self.controls[distance] = control if distance > 0 else replace(control, u=self.u_0)
         return [self.controls[distance] for distance in distances]
 
@@ -228,12 +229,18 @@ def _bars(model: Model, punching: PunchingForce, steel: Reinforcement, d: float)
 
 
 def _control(
-    lines: tuple[Perimeter, Array], distance: float, d: float, around: Surroundings, loads: PerimeterLoads
+    lines: tuple[Perimeter, tuple[WeightedLegs, ...]],
+    distance: float,
+    punching: PunchingForce,
+    d: float,
+    around: Surroundings,
+    loads: PerimeterLoads,
 ) -> ControlPerimeter:
-    """Return a perimeter and what counts of its legs (l, 2, 2) with what EN 1992-1-1 needs of it."""
+    """Return a perimeter and the parts of it that count with what EN 1992-1-1 needs of it."""
     from shapely import get_coordinates
 
-    line, legs = lines
+    line, parts = lines
+    legs = what_counts(parts)
     course = line_properties.course(line.ring, around.axes)
     # at the face of a column in a notch nothing may be left
     center = line_properties.centroid(legs) if len(legs) else np.array(around.center)
@@ -251,7 +258,7 @@ def _control(
         reduced,
         line.opened or legs is not line.legs,
         loads,
-        SketchedPerimeter(line, line.legs, around.center),
+        SketchedPerimeter(line, parts, around.center, frame, np.array(punching.place)),
         line.legs,
         d,
         (float(c_1), float(c_2)),
@@ -452,6 +459,7 @@ def _stress(results: CombinationResult, site: _Site, control: ControlPerimeter) 
         shear.parts.along(control.course.frame),
         way=raised.way,
         outward=raised.outward,
+        cases=shear.cases,
         other_betas=lambda: {} if alone else _other_ways(results, site, control, shear, pushing[1:]),
     )
 

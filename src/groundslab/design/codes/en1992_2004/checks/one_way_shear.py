@@ -58,8 +58,7 @@ def steps(steel: Reinforcement, demand: ShearDemand) -> Iterator[Step]:
     if demand.rho is None:
         yield from demand.mean_steps("v_Rd,c", "v_Ed", "6.2.2(1), 6.2")
         return
-    yield Step("strength of the concrete", "f_ck", concrete.f_ck_shear / MEGA, "MPa", clause="Table 3.1")
-    yield Step("partial factor", "gamma_C", concrete.gamma_c, clause="2.4.2.4")
+    yield from shear.concrete_steps(concrete)
     yield from demand.ratio_steps("rho_l", "v_Ed", "6.2.2(1); EN 1992-2 LL.123", shear.MOST_BARS)
     yield Step("factor of size", "k", float(shear.size_factor(d)[0]), "", shear.FORMULAS["k"], "6.2.2(1)")
     yield Step("C_Rd,c gamma_C of the annex", "C", concrete.annex.c_rd_c, clause="6.2.2(1)")
@@ -83,34 +82,13 @@ def _links(demand: ShearDemand, links: Links, concrete: Concrete, bars: Steel, c
         formula = f"min({formula}, max(d - 2 * c, d - c - {shear.COVER_LESS:g}))"
     yield Step("lever arm", "z", z, "m", formula, "6.2.3(1)")
     yield Step("strength of links", "f_ywd", bars.f_yd / MEGA, "MPa", clause="3.2.7(2)")
-    yield from _struts(demand, z, float(links.cot_theta[0]), concrete)
+    yield from shear.strut_steps(concrete, "nu_f_cd", "6.2.3(3), 6.2.2(6)")
+    yield from shear.flattest_steps(concrete, demand.v, z, "v_Ed")
+    yield from struts_in_steps(demand.v, z, concrete.strut, float(links.cot_theta[0]), "6.2.3(3), 6.9")
     area = float(links.area[0]) * 1e4
     yield Step("links per area of the plan", "a_sw", area, "cm2/m2", shear.FORMULAS["a_sw"], "6.2.3(3), 6.8")
     least = shear.minimum_links(concrete, bars) * 1e4
-    of_root, of_tension = concrete.annex.beam_links
-    strength = f"{of_root:g} * sqrt(f_ck)" if of_root else f"{of_tension:g} * f_ctm"
-    if of_tension:
-        yield Step("mean tensile strength", "f_ctm", concrete.f_ctm / MEGA, "MPa", clause="Table 3.1")
-    yield Step("yield strength", "f_yk", bars.f_yk / MEGA, "MPa", clause="3.2.2(3)")
-    bounded = of_root and concrete.f_ck > concrete.f_ck_shear  # the f_ck above is another one
-    formula = "" if bounded else f"{concrete.annex.slab_links:g} * {strength} / f_yk * 10000"
+    yield from shear.strength_steps(concrete, bars)
+    ratio = shear.least_links_formula(concrete)
+    formula = f"{concrete.annex.slab_links:g} * {ratio} * 10000" if ratio else ""
     yield Step("least links per area of the plan", "a_sw,min", least, "cm2/m2", formula, "9.2.2(5), 9.3.2(2)")
-
-
-def _struts(demand: ShearDemand, z: float, cot: float, concrete: Concrete) -> Iterator[Step]:
-    """Yield how flat struts are with a lever arm z [m]."""
-    a, b, c = concrete.annex.nu
-    yield Step("factor of the concrete in struts", "alpha_cc", concrete.alpha_cc_shear, clause="3.1.6(1)")
-    formula = f"{a:g} * min(1, {b:g} - f_ck / {c:g}) * alpha_cc * f_ck / gamma_C"
-    yield Step("strength of struts", "nu_f_cd", concrete.strut / MEGA, "MPa", formula, "6.2.3(3), 6.2.2(6)")
-    flattest, friction, clause = concrete.annex.flattest, concrete.annex.crack_friction, "6.2.3(2) of the annex"
-    formula = f"{flattest:g}"
-    if friction:
-        v_cc = friction * np.cbrt(concrete.f_ck_shear / MEGA) * z
-        of_friction = f"{friction:g} * f_ck^(1/3) * z"
-        yield Step("force that the concrete carries by friction in cracks", "v_cc", v_cc, "MN/m", of_friction, clause)
-        if v_cc < demand.v / MEGA:
-            formula = f"min({flattest:g}, 1.2 / (1 - v_cc / v_Ed))"
-    most = float(shear.flattest(np.array([demand.v]), np.array([z]), concrete)[0])
-    yield Step("largest cot theta", "cot_max", most, "", formula, clause)
-    yield from struts_in_steps(demand.v, z, concrete.strut, cot, "6.2.3(3), 6.9")

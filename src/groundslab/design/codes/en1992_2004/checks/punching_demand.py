@@ -10,7 +10,7 @@ from typing import NamedTuple
 from groundslab.arrays import Array
 from groundslab.design.codes.en1992_2004.punching import outer_perimeter
 from groundslab.design.demands.line_properties import Course
-from groundslab.design.demands.perimeter_loads import MomentParts, PerimeterLoads
+from groundslab.design.demands.perimeter_loads import CaseInside, MomentParts, PerimeterLoads
 from groundslab.design.demands.perimeter_shear import PerimeterShear
 from groundslab.design.demands.perimeters import SketchedPerimeter
 from groundslab.design.rules.wall_ends import WallSite
@@ -19,6 +19,8 @@ from groundslab.model.design.laid_bars import PunchingBars
 
 #: How far from the face perimeters reach, over the effective depth.
 REACH = 2.0
+#: What symbols of the outermost perimeter end with where it is not the one that governs.
+OUTERMOST = ",R"
 #: Distances closer than this are one, over the effective depth.
 SAME_DISTANCE = 1e-2
 #: Perimeters that do not grow with their distance are taken to do so by this, so that none is infinitely far.
@@ -83,6 +85,7 @@ class Stress:
     other_betas: Callable[[], Mapping[str, float]] = field(
         default=dict, repr=False, compare=False
     )  # beta by other ways
+    cases: tuple[CaseInside, ...] = field(default=(), repr=False, compare=False)  # what load cases have inside
 
 
 @dataclass(frozen=True, slots=True)
@@ -109,9 +112,16 @@ class Demand:
 
     @property
     def sketch(self) -> SketchedPerimeter | None:
-        """Return the governing perimeter of a column or pile."""
+        """Return the governing perimeter of a column or pile, and the outermost one, of which beta at the face is."""
+        if self.wall is not None and self.governing is not None:
+            return self.wall.sketch(self.governing.distance)
         control = None if self.governing is None else self.governing.control
-        return None if control is None else control.sketch
+        if control is None:
+            return None
+        outermost = None if self.face is None else self.face.outer
+        if outermost is None or outermost is control:
+            return control.sketch
+        return control.sketch._replace(further=((OUTERMOST, outermost.sketch),))
 
     @property
     def at_2d(self) -> Stress | None:

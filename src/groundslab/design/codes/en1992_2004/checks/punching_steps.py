@@ -36,11 +36,14 @@ from groundslab.design.rules.calculation import (
     MEGA,
     SAME,
     Step,
+    axis_step,
     depth_steps,
     from_below,
+    inside_steps,
     length_by_figures,
     moment_steps,
     punching_force,
+    thinner_steps,
     width_steps,
 )
 from groundslab.design.rules.punching_beta import beta_in_steps, other_betas_in_steps
@@ -65,10 +68,11 @@ def steps(demand: Demand, steel: Reinforcement, support: Support) -> Iterator[St
     yield Step(words, "a", stress.distance, "m", clause="6.4.4(2)")
     if stress.control is not None:
         inside = demand.force, stress.others, stress.pressure, stress.edge
-        size, relieves = stress.control.loads.size, steel.line_force_relieves
+        size, relieves = (stress.control.loads.size, stress.cases), steel.line_force_relieves
         symbols, clause = ("N_Ed", "V_Ed"), "6.4.4(2), 6.48"
         yield from punching_force(what, symbols, inside, size, stress.V_Ed, clause, relieves=relieves)
-        yield from _length(stress.control)
+        constant = _has_constant(stress, stress.control, concrete.annex.least_beta)
+        yield from _length(stress.control, along_axes=not constant)
         yield from _beta(stress, stress.control, concrete.annex.least_beta, what, demand.force)
     else:
         assert demand.wall is not None
@@ -94,14 +98,20 @@ def steps(demand: Demand, steel: Reinforcement, support: Support) -> Iterator[St
         yield from _face(demand.face, stress.control, demand, concrete, what)
 
 
-def _length(control: ControlPerimeter) -> Iterator[Step]:
-    """Yield what the length of a perimeter is made of."""
+def _length(control: ControlPerimeter, *, along_axes: bool) -> Iterator[Step]:
+    """Yield what the length of a perimeter is made of, at a corner with extents along axes only if these are used."""
     line = control.sketch.line
-    yield from width_steps(control.widths, line.setbacks)
     at_corner = control.course.shape == "corner"
+    formulas = ("", "")
     if at_corner:
         for n, width in enumerate(control.sides, 1):
             yield Step(Message("width of what is loaded across edge {n}", n=n), f"w_{n}", width, "m")
+        angle, formulas = _extents_at_corner(control)
+        if formulas[0] and along_axes:
+            words = "angle between axis 1 and the direction across edge 1"
+            yield Step(words, "beta_1", math.degrees(angle), "degrees")
+    widths = () if formulas[0] and not along_axes else control.widths
+    yield from width_steps(widths, line.setbacks, formulas=formulas)
     whole, legs = total_length(control.sketch.line.whole), total_length(control.legs)
     openings, thinner = whole - legs, legs - control.u
     less = [
@@ -112,6 +122,7 @@ def _length(control: ControlPerimeter) -> Iterator[Step]:
         )
         if length > SAME * whole
     ]
+    yield from thinner_steps(control.sketch.parts, _of_thinner, "6.4.4(2), 6.4.2(8)", away=True)
     symbol = "u_w" if less else "u"
     widths, names = control.widths, ("c_1", "c_2")
     if len(control.sides) == 2 and at_corner:
@@ -123,6 +134,37 @@ def _length(control: ControlPerimeter) -> Iterator[Step]:
     if less:
         formula = " - ".join([symbol, *(name for _, name, _ in less)])
         yield Step("what counts of it", "u", control.u, "m", formula, "6.4.2")
+
+
+def _of_thinner(n: int) -> str:
+    """Return the formula of the share of a length that counts in part n of thinner slab."""
+    return f"min(1, max(1, 2 * (d - t_{n}) / (a - b_{n})) * a * (d - t_{n}) / (2 * d^2))"
+
+
+def _has_constant(stress: Stress, control: ControlPerimeter, least: float, force: float | None = None) -> bool:
+    """Return whether beta of a perimeter at a corner is the constant, and not that of moments about its center [N]."""
+    if control.course.shape != "corner" or stress.beta is None or stress.way != "code":
+        return False
+    pushing = stress.V_Ed if force is None else force
+    shares, moduli = [*map(float, control.shares)], [*map(float, control.moduli)]
+    general = en1992.raised(stress.moments, shares, pushing, control.u, moduli) / pushing
+    return not math.isclose(stress.beta, max(least, general), rel_tol=SAME)
+
+
+def _extents_at_corner(control: ControlPerimeter) -> tuple[float, tuple[str, str]]:
+    """Return the angle [rad] between axis 1 and the direction across the first edge, and formulas of both extents.
+
+    They are those of a rectangle whose sides run along two edges at a right angle; without formulas it is none such.
+    """
+    if len(control.sides) != 2:
+        return 0.0, ("", "")
+    (w_1, w_2), across = control.sides, control.course.inward[0]
+    cosine, sine = (abs(float(axis @ across)) for axis in control.course.frame)
+    by_hand = w_1 * cosine + w_2 * sine, w_1 * sine + w_2 * cosine
+    if not all(math.isclose(*pair, rel_tol=SAME) for pair in zip(by_hand, control.widths, strict=True)):
+        return 0.0, ("", "")
+    c, s = "abs(cos(beta_1 * pi / 180))", "abs(sin(beta_1 * pi / 180))"
+    return math.atan2(sine, cosine), (f"w_1 * {c} + w_2 * {s}", f"w_1 * {s} + w_2 * {c}")
 
 
 def _beta(
@@ -156,8 +198,7 @@ def _beta_by_moments(
     force = stress.V_Ed if not of else own[1]
     shares, moduli = [*map(float, control.shares)], [*map(float, control.moduli)]
     general = en1992.raised(stress.moments, shares, force, control.u, moduli) / force if stress.beta else 1.0
-    corner = control.course.shape == "corner" and stress.beta is not None
-    if corner and not math.isclose(stress.beta or 0.0, max(least, general), rel_tol=SAME):
+    if _has_constant(stress, control, least, force):
         yield Step(
             "factor for a column at a corner",
             "beta_0" if of else "beta",
@@ -166,6 +207,8 @@ def _beta_by_moments(
         )
         return
     edge = stress.beta is not None and not math.isclose(stress.beta, max(least, general), rel_tol=SAME)
+    if not of:
+        yield axis_step(control.course.frame)
     for n in (1,) if edge else (1, 2):
         yield from _of_axis(n, stress, control, what, own, of)
     if stress.beta is None:
@@ -187,7 +230,8 @@ def _of_axis(
 ) -> Iterator[Step]:
     """Yield the moment along axis n = 1 or 2, the share of it that shear transfers, and the perimeter's modulus."""
     assert stress.parts is not None
-    yield from moment_steps(n, stress.parts, own, stress.moments[n - 1], what, of)
+    sums = stress.others, stress.pressure, stress.edge
+    yield from moment_steps(n, stress.parts, own, stress.moments[n - 1], what, of, sums)
     other = 3 - n
     formula = en1992.FORMULAS["k_n"].replace("c_n", f"c_{n}").replace("c_m", f"c_{other}")
     share, W = float(control.shares[n - 1]), float(control.moduli[n - 1])
@@ -355,8 +399,8 @@ def _face(
     """Yield the stress at the face and what the concrete bears there."""
     assert face.outer is not None
     signs = ("-", "+") if from_below(what) else ("+", "-")
-    yield Step("other loads on the column's area", "N_o,0", face.others / MEGA, "MN")
-    yield Step("pressure of the ground below it", "N_p,0", face.pressure / MEGA, "MN")
+    size = control.loads.size if face.control is None else face.control.loads.size
+    yield from inside_steps((face.others, face.pressure), size, face.cases, ",0")
     without = demand.force + (face.others - face.pressure) * (-1.0 if from_below(what) else 1.0)
     formula = f"N_Ed {signs[0]} N_o,0 {signs[1]} N_p,0"
     follows = abs(without - face.V_Ed) <= SAME * max(abs(without), demand.force)

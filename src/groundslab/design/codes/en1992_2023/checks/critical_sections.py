@@ -13,6 +13,7 @@ from groundslab.design.demands import line_properties, perimeter_loads
 from groundslab.design.demands.by_plate import plate_under
 from groundslab.design.demands.line_properties import Course, limited_straights, total_length
 from groundslab.design.demands.perimeter_loads import LoadsNear, PerimeterLoads, PunchingForce
+from groundslab.design.demands.perimeter_pieces import WeightedLegs, what_counts
 from groundslab.design.demands.perimeter_shear import MomentLine, PerimeterShear, moment_lines, perimeter_shear
 from groundslab.design.demands.perimeters import (
     Openings,
@@ -26,10 +27,10 @@ from groundslab.design.demands.perimeters import (
 )
 from groundslab.design.demands.zones.thinner_slab import (
     ThinnerPart,
-    counted,
     depth_share,
     shares_at,
     thinner_parts,
+    weighted,
 )
 from groundslab.errors import InputError
 from groundslab.model.design.laid_bars import PunchingBars, punching_bars
@@ -52,14 +53,16 @@ CUT = "its control perimeter cuts the slab from edge to edge, which is one-way s
 class CriticalSection:
     """The critical section of a column or pile, the same in every combination."""
 
-    place: Array  # (2,) of the column or pile [m]
+    place: Array  # (2,) of the middle of what is loaded [m]
+    origin: Array  # (2,) of the column or pile [m]
     d: float  # d_v [m]
     out: float  # d_v,out of the outermost links [m]
     thickness: float  # [m]
     bars: PunchingBars | None  # in tension that count, None if none are laid
     footprint: Array  # (k, 2): places around what is loaded [m]
     line: Perimeter
-    legs: Array  # (l, 2, 2): what counts at d_v / 2 [m]
+    legs: Array  # (l, 2, 2): what counts at d_v / 2, wholly in thinner slab too [m]
+    parts: tuple[WeightedLegs, ...]  # what counts there, in thinner slab by the depth
     b_05: float  # length that counts there, in thinner slab by the depth [m]
     b_0: float  # that at the face [m]
     center: Array  # (2,) of what counts at d_v / 2 [m]
@@ -80,7 +83,7 @@ class CriticalSection:
     @property
     def sketch(self) -> SketchedPerimeter:
         """Return what a sketch of it shows."""
-        return SketchedPerimeter(self.line, self.legs, self.place)
+        return SketchedPerimeter(self.line, self.parts, self.place, self.axes, self.origin)
 
     @property
     def axes(self) -> Array:
@@ -144,17 +147,19 @@ def critical_section(
         return "nothing of its control perimeter is left between openings"
     reach = perimeter_loads.reach_of(line, d)
     thinner = thinner_parts(results, around.footprint, punching.thickness(results), reach)
-    weighted = counted(legs, thinner, depth_share, en1992.DISTANCE * d, d)
+    parts = weighted(legs, thinner, depth_share, en1992.DISTANCE * d, d)
+    counted = what_counts(parts)
     bars = None
     if steel.laid:
         side: Literal["bottom", "top"] = "top" if punching.from_below else "bottom"
         bars = punching_bars(model.plate, steel, punching.column, d, model.plates, side)
     near = perimeter_loads.loads_near(results, punching, reach)
-    course, center = line_properties.course(line.ring, around.axes), line_properties.centroid(weighted)
+    course, center = line_properties.course(line.ring, around.axes), line_properties.centroid(counted)
     chain = max(line_properties.chains(line.whole), key=len)
     compressed = steel.bottom_axes if punching.from_below else steel.top_axes
     return CriticalSection(
         place=around.center,
+        origin=np.array(punching.place),
         d=d,
         out=d - sum(compressed) / 2,
         thickness=punching.thickness(results),
@@ -162,7 +167,8 @@ def critical_section(
         footprint=get_coordinates(around.footprint),
         line=line,
         legs=legs,
-        b_05=total_length(weighted),
+        parts=parts,
+        b_05=total_length(counted),
         b_0=total_length(face),
         center=center,
         course=course,

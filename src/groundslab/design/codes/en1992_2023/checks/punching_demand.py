@@ -18,6 +18,7 @@ from groundslab.design.demands import perimeter_loads
 from groundslab.design.demands.by_plate import plate_under
 from groundslab.design.demands.line_properties import total_length
 from groundslab.design.demands.perimeter_loads import (
+    CaseInside,
     MomentParts,
     PerimeterLoads,
     Places,
@@ -87,12 +88,16 @@ class Punching:
     inside_links: tuple[float, float] = (0.0, 0.0)  # other loads and pressure up to the perimeter [N]
     gradient_length: float = 0.0  # of the perimeter at d_v / 2 that k_pb is of, not less in thinner slab [m]
     inside: float = 0.0  # area up to 0.67 d_v from the face [m2]
+    cases: tuple[CaseInside, ...] = field(default=(), repr=False, compare=False)  # what load cases have there
+    cases_links: tuple[CaseInside, ...] = field(default=(), repr=False, compare=False)  # and up to the perimeter
     wall: WallSite | None = field(default=None, repr=False, compare=False)  # of an end or a corner of walls
     other_betas: Callable[[], Mapping[str, float]] = field(default=dict, repr=False, compare=False)  # by other ways
 
     @property
     def sketch(self) -> SketchedPerimeter | None:
-        """Return the critical section of a column or pile."""
+        """Return the critical section."""
+        if self.wall is not None:
+            return self.wall.sketch(en1992.DISTANCE * self.d)
         return None if self.section is None else self.section.sketch
 
     @property
@@ -196,6 +201,8 @@ def _demand(
         bars=section.bars,
         parts=shear.parts.along(section.axes),
         inside=section.relieved.size,
+        cases=shear.cases,
+        cases_links=linked.cases,
         gradient_length=total_length(section.legs),
         a_pd=en1992.depth_by_contraflexure(a_p, section.d),
         a_p=a_p,

@@ -20,13 +20,16 @@ from groundslab.design.rules.calculation import (
     BY_CHORDS,
     MEGA,
     Step,
+    axis_step,
     counted_length,
     depth_steps,
     from_below,
+    inside_steps,
     length_by_figures,
     moment_steps,
     punching_force,
     some,
+    thinner_steps,
     width_steps,
 )
 from groundslab.design.rules.punching_beta import beta_in_steps, other_betas_in_steps
@@ -49,7 +52,8 @@ def steps(demand: Punching, steel: Reinforcement, support: Support) -> Iterator[
     else:
         inside = demand.force, demand.others, demand.pressure, demand.edge
         symbols, relieves = ("N_Ed", "V_Ed"), steel.line_force_relieves
-        yield from punching_force(what, symbols, inside, demand.inside, demand.V_Ed, "8.4.2(6)", relieves=relieves)
+        there = demand.inside, demand.cases
+        yield from punching_force(what, symbols, inside, there, demand.V_Ed, "8.4.2(6)", relieves=relieves)
         assert demand.section is not None
         yield from _length(demand, demand.section)
     if demand.section is None:
@@ -63,7 +67,7 @@ def steps(demand: Punching, steel: Reinforcement, support: Support) -> Iterator[
         yield from other_betas_in_steps(demand.way, demand.beta_e, others, "beta_e", "8.4.2(6)")
     yield from _stress(demand)
     yield from in_shear(concrete, bars, demand.d, "d_v")
-    formula = "" if demand.section is None else _by_figures(demand.section, 0.0, demand.b_0)
+    formula = _face_of_wall(demand) if demand.section is None else _by_figures(demand.section, 0.0, demand.b_0)
     yield Step("perimeter at the face that counts", "b_0", demand.b_0, "m", formula, "8.4.3(1), Figure 8.18")
     formula = F["k_pb"]
     if not isclose(demand.gradient_length, demand.b_05, rel_tol=BY_CHORDS):
@@ -121,12 +125,22 @@ def _at_wall(demand: Punching, wall: WallSite) -> Iterator[Step]:
     yield from wall.force_steps(a, demand.V_Ed, (whole, "V_Ed"), "8.4.2(6)")
 
 
+def _face_of_wall(demand: Punching) -> str:
+    """Return the formula of the perimeter at the faces of an end or a corner of walls."""
+    assert demand.wall is not None
+    area = demand.wall.area
+    along = "2 * l_1" if demand.wall.end.kind == "end" else "l_1 + l_2"
+    formula = f"b_e + {along}" if area.across else along
+    return formula if isclose(area.across + sum(area.along), demand.b_0, rel_tol=BY_CHORDS) else ""
+
+
 def _length(demand: Punching, section: CriticalSection) -> Iterator[Step]:
     """Yield what the length of a perimeter is made of."""
     a = en1992.DISTANCE * demand.d
     yield Step("distance of the perimeter from the face", "a", a, "m", f"{en1992.DISTANCE:g} * d_v", "8.4.2(2)")
     yield from width_steps(section.sides, section.line.setbacks)
     whole = total_length(section.line.whole)
+    yield from thinner_steps(section.parts, lambda n: f"1 - t_{n} / d_v", "8.4.2(2) to (5)")
     yield from counted_length(whole, _by_figures(section, a, whole), ("b_05", demand.b_05), "8.4.2(2) to (5)")
 
 
@@ -140,11 +154,13 @@ def _beta(demand: Punching, section: CriticalSection, what: tuple[Support, bool]
     """Yield how beta_e follows from the support's eccentricity, or what moments add where nothing pushes."""
     assert demand.parts is not None
     support, _ = what
+    yield axis_step(section.axes)
     moments, at_zone = demand.beta_e is None, support == "zone"
     for n, e, width in zip((1, 2), demand.eccentricities, section.widths, strict=True):
         if moments or at_zone:
             M = e if moments else e * demand.V_Ed
-            yield from moment_steps(n, demand.parts, ("N_Ed", demand.force), M, what)
+            sums = demand.others, demand.pressure, demand.edge
+            yield from moment_steps(n, demand.parts, ("N_Ed", demand.force), M, what, sums=sums)
         else:
             own, away = float(demand.parts.own[n - 1]), float(demand.parts.away[n - 1])
             words = Message("moment of the {support} itself along axis {n}", support=support, n=n)
@@ -212,8 +228,8 @@ def _stress_with_links(demand: Punching) -> Iterator[Step]:
         demand.wall is None and abs(demand.force + way * (others - pressure) - demand.V_links) < 1e-6 * demand.force
     )
     if pushing and demand.beta_e is not None:
-        yield Step("other loads up to the perimeter", "N_o,l", others / MEGA, "MN")
-        yield Step("pressure of the ground up to the perimeter", "N_p,l", pressure / MEGA, "MN")
+        assert demand.section is not None
+        yield from inside_steps((others, pressure), demand.section.inside.size, demand.cases_links, ",l")
         signs = ("-", "+") if way < 0 else ("+", "-")
         of_force = f"N_Ed {signs[0]} N_o,l {signs[1]} N_p,l"
         yield Step("force that punches with links", "V_l", demand.V_links / MEGA, "MN", of_force, "8.4.2(6)")
