@@ -113,14 +113,15 @@ def describe_bars(bars: argparse.ArgumentParser) -> None:
     bars.epilog = (
         "A plan of each face with one bar of each set, and the bar list by marks, with lengths and masses; laps "
         "and U-shaped bars at edges are in it if the case has [reinforcement.detailing]; so are links against punching "
-        "where results need them. An existing file is replaced only if groundslab drew it."
+        "where results need them. The bending schedule lists bars and links as they are cut and bent, without welded "
+        "meshes, which are delivered as sheets. An existing file is replaced only if groundslab wrote it."
     )
     bars.add_argument("results", metavar="RESULTS", help="results folder written by groundslab solve")
     bars.add_argument(
         "--out",
         metavar="FILE",
-        help="file to write: .dxf, .svg, .pdf or .png, or .abs for machines that bend bars (BVBS; default: "
-        "RESULTS-bars.svg and RESULTS-bars.dxf next to the folder)",
+        help="file to write: .dxf, .svg, .pdf or .png for the drawing; .csv or .xlsx for the bending schedule; .abs "
+        "for machines that bend bars (BVBS; default: RESULTS-bars.svg and RESULTS-bars.dxf next to the folder)",
     )
 
 
@@ -138,8 +139,8 @@ def run_bars(options: argparse.Namespace) -> int:
     for target in targets:
         bars.write_bars(results, target)
         print_stderr(f"wrote {target}")
-        if target.suffix.lower() == bars.RECORDS:
-            print_stderr("note: records are of straight and U-shaped bars alone, not of meshes and links")
+        for words in bars.left_out(results, target):
+            print_stderr(f"note: {words}")
     return EXIT_OK
 
 

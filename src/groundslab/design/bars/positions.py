@@ -17,7 +17,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
@@ -39,7 +39,8 @@ if TYPE_CHECKING:
 MOST_LENGTHS = 6
 #: A bar ends at an edge that is no farther than this [m].
 AT_EDGE = 1e-4
-STRAIGHT, U_SHAPE = "straight", "U"
+STRAIGHT: Literal["straight"] = "straight"
+U_SHAPE: Literal["U"] = "U"
 
 
 @dataclass(frozen=True, slots=True)

@@ -11,6 +11,7 @@ import numpy as np
 
 from groundslab.arrays import Array
 from groundslab.design.bars.bar_layout import BarSet, bar_sets
+from groundslab.design.bars.bending import marked_further_links, marked_links
 from groundslab.design.bars.further_links import LaidLinks
 from groundslab.design.bars.positions import U_SHAPE, Position, positions
 from groundslab.design.rules.punching_links.layout import LinkLayout
@@ -32,7 +33,6 @@ from groundslab.views.drawing.shapes import (
     rings,
 )
 from groundslab.views.tables.bar_quantities import bars as bars_table
-from groundslab.views.tables.bar_quantities import marked_further_links, marked_links
 from groundslab.views.tables.table import Table, in_units
 
 #: The layer with broken lines.

@@ -22,10 +22,12 @@ MOST_COLUMNS = 14
 MOST_ROWS = 24
 LONG = {
     "acting", "extremes", "envelope", "points", "soil", "lines", "strips", "supports", "columns", "pile_punching",
-    "wall_punching", "zone_punching", "shear_reinforcement", "support_moments",
+    "wall_punching", "zone_punching", "shear_reinforcement", "support_moments", "bending_schedule",
 }  # fmt: skip
 #: Tables that have no extremes, or whose extremes are in other parts of the report.
-ELSEWHERE = {"acting", "extremes", "envelope", "columns", "shear_reinforcement", "support_moments"}
+ELSEWHERE = {
+    "acting", "extremes", "envelope", "columns", "shear_reinforcement", "support_moments", "bending_schedule",
+}  # fmt: skip
 #: Rows of a grid that are printed into a file at all; a table of more is read from its CSV file.
 MOST_IN_FILE = 3000
 

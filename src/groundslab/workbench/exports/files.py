@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 #: What a file is of, and its kind.
 ExportName = Literal[
     "report.pdf", "tables.xlsx", "tables.zip", "plan.pdf", "plan.svg", "plan.png", "plan.dxf", "bars.dxf", "bars.pdf",
-    "bars.svg", "bars.abs", "saf.xlsx", "plate.vtu",
+    "bars.svg", "bars.csv", "bars.xlsx", "bars.abs", "saf.xlsx", "plate.vtu",
 ]  # fmt: skip
 SAF: ExportName = "saf.xlsx"
 #: Notes that are passed on, and letters of one, at most.
@@ -178,11 +178,11 @@ def _find_minus(results: Results, wanted: Wanted) -> Subtracted:
 
 
 def _write_bars(results: Results, _: Wanted, path: Path) -> Sequence[str]:
-    """Draw the bars that are laid."""
-    from groundslab.views.bars import write_bars
+    """Draw or list the bars that are laid."""
+    from groundslab.views.bars import left_out, write_bars
 
     write_bars(results, path)
-    return ()
+    return left_out(results, path)
 
 
 def _write_saf(results: Results, _: Wanted, path: Path) -> Sequence[str]:

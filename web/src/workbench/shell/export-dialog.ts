@@ -46,6 +46,14 @@ const BARS: Offer = {
     ["bars.dxf", "DXF"],
     ["bars.pdf", "PDF"],
     ["bars.svg", "SVG"],
+  ],
+};
+const SCHEDULE: Offer = {
+  label: "Bending schedule",
+  note: "bars and links as they are cut and bent, with their masses; without welded meshes",
+  formats: [
+    ["bars.xlsx", "XLSX"],
+    ["bars.csv", "CSV"],
     ["bars.abs", "BVBS"],
   ],
 };
@@ -71,7 +79,7 @@ let last = "report.html"; // what was exported before is offered first
 export function chooseExport(store: Store): Promise<string | null> {
   return new Promise((resolve) => {
     const isView = store.doc?.view !== undefined;
-    const offers = [REPORT, TABLES, PLAN, BARS, SAF, FIELDS, ...(isView ? [] : [ARCHIVE])];
+    const offers = [REPORT, TABLES, PLAN, BARS, SCHEDULE, SAF, FIELDS, ...(isView ? [] : [ARCHIVE])];
     const rows = offers.map((offer) => new Row(offer, store));
     const close = (file: string | null) => {
       closeDialog(dialog);
