@@ -11,6 +11,9 @@ from groundslab.errors import InputError, Issue
 if TYPE_CHECKING:
     import argparse
 
+#: Sizes of paper for sheets, as in views/drawing/sheets/paper.py, which the command line does without.
+PAPERS = ("a1", "a2", "a3")
+
 
 def describe(plot: argparse.ArgumentParser) -> None:
     """Add what the command plot understands."""
@@ -123,6 +126,13 @@ def describe_bars(bars: argparse.ArgumentParser) -> None:
         help="file to write: .dxf, .svg, .pdf or .png for the drawing; .csv or .xlsx for the bending schedule; .abs "
         "for machines that bend bars (BVBS; default: RESULTS-bars.svg and RESULTS-bars.dxf next to the folder)",
     )
+    bars.add_argument(
+        "--paper",
+        metavar="SIZE",
+        choices=PAPERS,
+        help="a1, a2 or a3: draw sheets to scale, one for each layer, for edges and for links, with dimensions, a list "
+        "of the bars and a title block, into a .pdf or .dxf file (default: RESULTS-bars-SIZE.pdf next to the folder)",
+    )
 
 
 def run_bars(options: argparse.Namespace) -> int:
@@ -132,12 +142,12 @@ def run_bars(options: argparse.Namespace) -> int:
     from groundslab.views import bars
     from groundslab.views.files import results_folder
 
-    targets = bars.default_paths(options.results) if options.out is None else (Path(options.out),)
+    targets = bars.default_paths(options.results, options.paper) if options.out is None else (Path(options.out),)
     for target in targets:
-        bars.check(target)
+        bars.check(target, options.paper)
     results = results_folder.load_results(options.results)
     for target in targets:
-        bars.write_bars(results, target)
+        bars.write_bars(results, target, paper=options.paper)
         print_stderr(f"wrote {target}")
         for words in bars.left_out(results, target):
             print_stderr(f"note: {words}")

@@ -10,12 +10,17 @@ from groundslab.design.bars.positions import positions
 from groundslab.design.bars.proposal.links import punching_links
 from groundslab.design.rules.punching_links.layout import LinkLayout
 from groundslab.errors import InputError, Issue
+from groundslab.languages import translator
 from groundslab.model.model import Model
 from groundslab.results.results import CombinationResult, Results
-from groundslab.storage.ownership import check_replaceable
+from groundslab.schema.wording import listed, quote
+from groundslab.storage.ownership import check_replaceable, is_figure
 from groundslab.views.bars.bvbs import is_bvbs, to_bvbs
 from groundslab.views.bars.schedule import is_schedule, schedule_of
 from groundslab.views.drawing.bars import LAYERS, draw
+from groundslab.views.drawing.sheets.draw import LAYERS as SHEET_LAYERS
+from groundslab.views.drawing.sheets.draw import draw_sheets, in_one_drawing
+from groundslab.views.drawing.sheets.paper import PAPERS, Paper, Sheet
 from groundslab.views.files import xlsx
 from groundslab.views.plots import export
 
@@ -23,7 +28,7 @@ from groundslab.views.plots import export
 RECORDS, TEXT, WORKBOOK = ".abs", ".csv", ".xlsx"
 
 
-def write_bars(of: Model | Results | CombinationResult, path: str | Path) -> Path:
+def write_bars(of: Model | Results | CombinationResult, path: str | Path, *, paper: Paper | None = None) -> Path:
     """Draw the bars provided: a plan of each face, and how many there are, how long, and what they weigh; or list them.
 
     The bending schedule lists bars and links as they are cut and bent, with their masses by diameter and altogether.
@@ -31,6 +36,10 @@ def write_bars(of: Model | Results | CombinationResult, path: str | Path) -> Pat
     One bar of each set stands for all of them, with a line across over which they are distributed, its marks, number,
     diameter, spacing and length. With `reinforcement.detailing` lengths have laps, and bars of U shape at edges are
     drawn in the plan of the bottom. So are, of results, links against punching where they are needed, each leg a dot.
+
+    On paper there is a sheet for each layer, for bars at edges each way, and for links, to one of the scales 1:25,
+    1:50, 1:75, 1:100 and 1:200, with dimensions of zones and columns, a list of the bars and a title block: in a PDF a
+    page each, in a DXF file, which has the layers DIMENSIONS, FRAME and TITLE too, beside each other.
 
     Parameters
     ----------
@@ -41,6 +50,8 @@ def write_bars(of: Model | Results | CombinationResult, path: str | Path) -> Pat
         BARS_EDGES, LINKS, LABELS and TABLE), .svg, .pdf or .png; .csv or .xlsx for the bending schedule; .abs for
         records of BVBS, which machines that bend bars read. Neither schedule nor records have welded meshes. An
         existing file is replaced only if groundslab wrote it, or if it has records of BVBS alone.
+    paper : str, optional
+        "a1", "a2" or "a3": draw sheets, into a file that ends with .pdf or .dxf.
 
     Returns
     -------
@@ -59,13 +70,15 @@ def write_bars(of: Model | Results | CombinationResult, path: str | Path) -> Pat
     >>> path = groundslab.write_bars(groundslab.load("case.toml"), "bars.dxf")
     """
     model = of if isinstance(of, Model) else of.model
-    target = check(path)
+    target = check(path, paper)
     if model.reinforcement is None or not model.reinforcement.laid:
         hint = "give bottom_x, bottom_y, top_x and top_y, or bottom_mesh and top_mesh, in [reinforcement]"
         raise InputError([Issue("reinforcement", "no bars provided", "bars in all four layers", hint)])
     links = punching_links(of) if isinstance(of, Results) else ()
     if target.suffix.lower() in (RECORDS, TEXT, WORKBOOK):
         return _write_list(model, links, path, target)
+    if paper is not None:
+        return _write_sheets(draw_sheets(model, links, paper), model, path, target)
     shapes = draw(model, links)
     if export.is_drawing(path):
         export.save_drawing(shapes, LAYERS, "Bars", path)
@@ -108,8 +121,43 @@ def left_out(of: Model | Results | CombinationResult, path: str | Path) -> list[
     return left
 
 
-def check(path: str | Path) -> Path:
+def _write_sheets(sheets: Sequence[Sheet], model: Model, path: str | Path, target: Path) -> Path:
+    """Write sheets into a PDF or a DXF file."""
+    if export.is_drawing(path):
+        export.save_drawing(in_one_drawing(sheets), SHEET_LAYERS, "Bars", path)
+    else:
+        from groundslab.views.bars.sheet_pdf import to_pdf
+
+        say = translator(model.language)
+        export.write_file(path, target, to_pdf(model.title, sheets, model.language, say))
+    return Path(path)
+
+
+def _check_sheets(path: str | Path, paper: Paper) -> Path:
+    """Return the full path if sheets may be drawn there; else raise InputError."""
+    ending = Path(path).suffix.lower()
+    if paper not in PAPERS:
+        raise InputError([Issue("paper", f'"{paper}"', f"one of {listed(PAPERS)}")])
+    if ending not in (".pdf", export.DRAWING):
+        raise InputError(
+            [Issue(str(path), f"a name that ends with {quote(ending)}", ".pdf or .dxf for sheets of paper")]
+        )
+    if export.is_drawing(path):
+        return export.check(path)
+    return check_replaceable(path, _is_pdf_of_bars, "a drawing of bars by groundslab")
+
+
+def _is_pdf_of_bars(path: Path) -> bool:
+    """Return whether a file is a PDF in which groundslab drew bars, on sheets or all in one figure."""
+    from groundslab.views.bars.sheet_pdf import is_ours
+
+    return is_ours(path) or is_figure(path)
+
+
+def check(path: str | Path, paper: Paper | None = None) -> Path:
     """Return the full path if bars may be drawn or listed there; else raise InputError saying why not."""
+    if paper is not None:
+        return _check_sheets(path, paper)
     checks = {
         RECORDS: lambda: check_replaceable(path, _is_bvbs_file, "records of BVBS"),
         TEXT: lambda: check_replaceable(path, is_schedule, "a bending schedule of groundslab"),
@@ -123,7 +171,9 @@ def _is_bvbs_file(path: Path) -> bool:
     return is_bvbs(path.read_bytes().decode("ascii", "replace"))
 
 
-def default_paths(folder: str | Path) -> tuple[Path, Path]:
-    """Return where the drawings of a folder of results are put: beside the folder, as SVG and as DXF."""
+def default_paths(folder: str | Path, paper: Paper | None = None) -> tuple[Path, ...]:
+    """Return where the drawings of a folder of results are put: beside it, as SVG and as DXF, or sheets as PDF."""
     whole = Path(os.path.realpath(folder))
+    if paper is not None:
+        return (whole.with_name(f"{whole.name}-bars-{paper}.pdf"),)
     return whole.with_name(f"{whole.name}-bars.svg"), whole.with_name(f"{whole.name}-bars.dxf")

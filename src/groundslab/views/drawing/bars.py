@@ -170,7 +170,7 @@ def _edge_bars(model: Model, position: Position, h: float) -> Iterator[Shape]:
     assert position.lap is not None
     axis = "xy".index(position.layer[-1])
     at = np.round(position.places, 3)
-    inside = _inside_of(model)
+    inside = inside_of(model)
     for number, where in enumerate(np.unique(at[:, axis])):
         there = at[at[:, axis] == where]
         place = there[np.argsort(there[:, 1 - axis], kind="stable")[len(there) // 2]]
@@ -187,7 +187,7 @@ def _edge_bars(model: Model, position: Position, h: float) -> Iterator[Shape]:
             )
 
 
-def _inside_of(model: Model) -> Callable[[Array, int, float], bool]:
+def inside_of(model: Model) -> Callable[[Array, int, float], bool]:
     """Return whether the plan is on the upper side of a place along an axis, so far from it [m]."""
     from shapely import Point
 

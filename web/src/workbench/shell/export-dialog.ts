@@ -48,6 +48,18 @@ const BARS: Offer = {
     ["bars.svg", "SVG"],
   ],
 };
+const SHEETS: Offer = {
+  label: "Bar drawings on paper",
+  note: "a sheet to scale for each layer, for edges and for links, with dimensions and a title block",
+  formats: [
+    ["bars-a1.pdf", "PDF, A1"],
+    ["bars-a2.pdf", "PDF, A2"],
+    ["bars-a3.pdf", "PDF, A3"],
+    ["bars-a1.dxf", "DXF, A1"],
+    ["bars-a2.dxf", "DXF, A2"],
+    ["bars-a3.dxf", "DXF, A3"],
+  ],
+};
 const SCHEDULE: Offer = {
   label: "Bending schedule",
   note: "bars and links as they are cut and bent, with their masses; without welded meshes",
@@ -79,7 +91,7 @@ let last = "report.html"; // what was exported before is offered first
 export function chooseExport(store: Store): Promise<string | null> {
   return new Promise((resolve) => {
     const isView = store.doc?.view !== undefined;
-    const offers = [REPORT, TABLES, PLAN, BARS, SCHEDULE, SAF, FIELDS, ...(isView ? [] : [ARCHIVE])];
+    const offers = [REPORT, TABLES, PLAN, BARS, SHEETS, SCHEDULE, SAF, FIELDS, ...(isView ? [] : [ARCHIVE])];
     const rows = offers.map((offer) => new Row(offer, store));
     const close = (file: string | null) => {
       closeDialog(dialog);
