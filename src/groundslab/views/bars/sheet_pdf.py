@@ -98,7 +98,7 @@ def _written(text: Text, height: float) -> Iterator[str]:
     size, wide = text.height / CAPITALS, width_of(text.words, text.height)
     turn = f'transform="translate({x:.2f} {height - y:.2f}) rotate({-text.turned:g})"'
     left, up, anchor = (-wide / 2, text.height / 2, "middle") if text.centered else (0.0, 0.0, "start")
-    box = f'x="{left:.2f}" y="{up - 1.15 * text.height:.2f}" width="{wide:.2f}" height="{1.3 * text.height:.2f}"'
+    box = f'x="{left:.2f}" y="{up - text.height:.2f}" width="{wide:.2f}" height="{1.1 * text.height:.2f}"'
     words = (
         f'<text y="{up:.2f}" font-size="{size:.2f}" text-anchor="{anchor}" fill="{color}">{escape(text.words)}</text>'
     )

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 #: Which bar of a set may be drawn, and where along it the label and the line across may be: parts of the whole. Beside
 #: its ends the label may be so far off [mm], with a line to it where that is far.
 BARS = (0.36, 0.5, 0.64, 0.25, 0.75, 0.15, 0.85, 0.08, 0.92)
-ALONG = (0.12, 0.3, 0.45, 0.6, 0.02, 0.75)
+ALONG = (0.12, 0.18, 0.24, 0.3, 0.36, 0.42, 0.5, 0.58, 0.66, 0.74, 0.82, 0.9, 0.06, 0.0)
 ACROSS = (0.75, 0.9, 0.05, 0.2, 0.5)
 BESIDE, NEAR = (2.0, 8.0, 16.0, 26.0, 38.0), 4.0
 #: Half of the tick at the ends of the line across, of the dot where it meets the bar, and of the offset of pieces that
@@ -45,7 +45,7 @@ def draw_bars(
             continue
         if bar_set.zone:
             sheet.shapes.extend([scaled(shape, sheet.per_meter, sheet.origin) for shape in _zone(bar_set.region)])
-        above, below = _words(bar_set, own, model.units)
+        above, below = _words(bar_set, own, model.units, say)
         first, last = own[0].mark, own[-1].mark
         marks = f"{first}" if first == last else f"{first}\N{EN DASH}{last}"
         labels = labels_of(f"BARS_{bar_set.layer.upper()}", marks, list(map(say, above)), list(map(say, below)))
@@ -59,20 +59,19 @@ def _zone(region: BaseGeometry) -> Iterator[Line]:
             yield from (Line(BROKEN, np.asarray(ring.coords)[:-1], closed=True) for ring in rings(piece))
 
 
-def _words(bar_set: BarSet, own: Sequence[Position], units: System) -> tuple[list[str], list[str]]:
+def _words(bar_set: BarSet, own: Sequence[Position], units: System, say: Translator) -> tuple[list[str], list[str]]:
     """Return what the label of a set says above the bar and below it."""
     unit, per_meter = unit_in("m", units)
     count = sum(len(one.lengths) for one in own)
     mesh = f"{bar_set.mesh}: " if bar_set.mesh else ""
     shortest, longest = (written(find(float(find(one.lengths)) for one in own) * per_meter) for find in (min, max))
-    long = Name(longest) if shortest == longest else Message("{low} to {high}", low=shortest, high=longest)
-    length: str = Message("l = {long} {unit}", long=long, unit=unit)
+    long = longest if shortest == longest else Message("{low} to {high}", low=shortest, high=longest)
+    below: list[str] = [Message("l = {long} {unit}", long=long, unit=unit)]
     if own[0].lap is not None:
-        length = Message("{length}, lap {lap:.2f m}", length=length, lap=own[0].lap).in_units(units)
-    below = [length]
+        below.append(Message("lap {lap:.2f m}", lap=own[0].lap).in_units(units))
     if bar_set.zone:
         x0, y0, x1, y1 = bar_set.region.bounds
-        sides = " \N{MULTIPLICATION SIGN} ".join(written(side * per_meter) for side in (x1 - x0, y1 - y0))
+        sides = " \N{MULTIPLICATION SIGN} ".join(say(written(side * per_meter)) for side in (x1 - x0, y1 - y0))
         below.append(Name(sides))
     return [Name(f"{mesh}{count} {bars_at(bar_set.bars.diameter, bar_set.bars.spacing, units)}")], below
 
@@ -97,10 +96,10 @@ def _candidates(
                 *(part for piece in pieces for part in interrupted(piece, axis, start - half, start + half)),
             )
             thin = (thin_box(ends), *(thin_box(one.points) for one in leader))
-            free = [line for line in lines if not box[axis] - 1.0 < line[0, axis] < box[axis + 2] + 1.0] or lines[:1]
+            free = [line for line in lines if not box[axis] - 1.0 < line[0, axis] < box[axis + 2] + 1.0]
             for m, line in enumerate(free):
                 shapes = (*bars, *_extent(layer, line, ends, axis), *put)
-                yield Candidate(shapes, box, (*thin, thin_box(line)), 0.3 * n + 0.1 * k + 0.02 * m)
+                yield Candidate(shapes, box, (*thin, thin_box(line)), 0.3 * n + 0.2 * k + 0.02 * m)
 
 
 def put_label(shown: Label, axis: int, along: float, across: float) -> tuple[list[Shape], Box]:

@@ -7,6 +7,7 @@ from itertools import pairwise
 
 import numpy as np
 
+from groundslab.languages import Translator
 from groundslab.views.drawing.shapes import Line, Shape, Text
 from groundslab.views.drawing.sheets.paper import LETTERS
 from groundslab.views.drawing.sheets.placing import width_of
@@ -50,7 +51,13 @@ def depth_of(points: Sequence[float], per_meter: float, per_unit: float) -> floa
 
 
 def chain(
-    points: Sequence[float], axis: int, at: float, origin: tuple[float, float], per_meter: float, per_unit: float
+    points: Sequence[float],
+    axis: int,
+    at: float,
+    origin: tuple[float, float],
+    per_meter: float,
+    per_unit: float,
+    say: Translator,
 ) -> Iterator[Shape]:
     """Yield a chain of dimensions between points [m] along an axis, its line at a place across [mm].
 
@@ -63,7 +70,7 @@ def chain(
         yield Line(LAYER, _place(axis, place, at) + slash)
     levels = levels_of(points, per_meter, per_unit)
     for (low, high), (start, end), level in zip(pairwise(places), pairwise(points), levels, strict=True):
-        words = written((end - start) * per_unit)
+        words = say(written((end - start) * per_unit))
         along = (low + high) / 2 - width_of(words, LETTERS) / 2
         across = OVER + level * LEVEL
         if axis == 0:

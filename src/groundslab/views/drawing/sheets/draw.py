@@ -57,7 +57,7 @@ def draw_sheets(model: Model, links: Sequence[LinkLayout], paper: Paper) -> list
     for number, (title, _, marks, draw) in enumerate(wanted, start=1):
         scale, origin = choose_scale(paper, model.bounds, partial(margins_of, model, chains[title]), coarsest)
         sheet = Sheet(title, paper, scale, origin)
-        draw(sheet, draw_plan(model, sheet, chains[title]))
+        draw(sheet, draw_plan(model, sheet, chains[title], say))
         draw_list(model, sheet, table, marks, say)
         draw_frame(model, sheet, number, len(wanted), say)
         sheets.append(sheet)

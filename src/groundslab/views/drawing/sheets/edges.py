@@ -41,9 +41,9 @@ def draw_edges(model: Model, sheet: Sheet, taken: Taken, listed: Sequence[Positi
             sign = 1.0 if inside(places[len(places) // 2], axis, 1e-3) else -1.0
             bars = bars_at(position.bars.diameter, position.bars.spacing, model.units)
             long = written(float(position.lengths[0]) * per_meter)
-            length: str = Message("l = {long} {unit}", long=Name(long), unit=unit)
-            legs = Message("{length}, legs {lap:.2f m}", length=length, lap=position.lap).in_units(model.units)
-            above, below = [Name(f"{len(places)} U {bars}")], [say(legs)]
+            legs = Message("legs {lap:.2f m}", lap=position.lap).in_units(model.units)
+            below = [say(Message("l = {long} {unit}", long=long, unit=unit)), say(legs)]
+            above = [Name(f"{len(places)} U {bars}")]
             labels = labels_of(LAYER, f"{position.mark}", above, below)
             sheet.shapes.extend(taken.place(list(_candidates(sheet, places, axis, sign * position.lap, labels))))
 

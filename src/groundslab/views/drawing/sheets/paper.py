@@ -19,9 +19,8 @@ FILED, EDGE = 20.0, 10.0
 COLUMN: dict[Paper, float] = {"a1": 180.0, "a2": 180.0, "a3": 130.0}
 #: Scales that may be chosen, 1 : n, the largest first.
 SCALES = (25, 50, 75, 100, 200)
-#: Heights of letters [mm] (ISO 3098), and the width of one on average over that.
+#: Heights of letters [mm] (ISO 3098).
 SMALL, LETTERS, LARGE = 1.8, 2.5, 5.0
-WIDE = 0.82
 
 #: A rectangle x0, y0, x1, y1 [mm].
 Box = tuple[float, float, float, float]

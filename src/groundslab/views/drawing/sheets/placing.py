@@ -4,20 +4,25 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from functools import cache
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from groundslab.arrays import Array
 from groundslab.views.drawing.shapes import Line, Shape, Text
-from groundslab.views.drawing.sheets.paper import WIDE, Box
+from groundslab.views.drawing.sheets.paper import Box
 
 if TYPE_CHECKING:
+    from matplotlib.ft2font import FT2Font
     from shapely.geometry.base import BaseGeometry
 
 #: What it costs that a label covers another one [1/mm2], that a line of bars crosses a label, and that a label covers
 #: such a line, and one of the plan [1/mm], and that it stands outside of where it may [1/mm2].
 OVER_LABEL, THROUGH_LABEL, OVER_BARS, OVER_PLAN, OUTSIDE = 100.0, 50.0, 20.0, 2.0, 100.0
+#: Size in which texts are measured [pt], the height of capitals over it, and what is kept free around a text [mm].
+SIZE, CAPITALS, AROUND = 100.0, 0.729, 0.5
 #: What it costs that a label covers a column [1/mm2].
 OVER_COLUMN = 20.0
 
@@ -87,8 +92,27 @@ def thin_box(points: Array) -> Box:
 
 
 def width_of(words: str, height: float) -> float:
-    """Return about how wide a text is [mm]."""
-    return len(words) * WIDE * height
+    """Return how wide a text is at most [mm]: in DejaVu Sans, which is wider than what sheets are written with."""
+    return _width(words) * height
+
+
+@cache
+def _width(words: str) -> float:
+    """Return the width of a text over the height of its capitals."""
+    font = _font()
+    font.set_text(words)
+    return float(font.get_width_height()[0]) / 64 / (SIZE * CAPITALS)
+
+
+@cache
+def _font() -> FT2Font:
+    """Return the font in which texts are measured."""
+    import matplotlib
+    from matplotlib.ft2font import FT2Font
+
+    font = FT2Font(str(Path(matplotlib.get_data_path(), "fonts", "ttf", "DejaVuSans.ttf")))
+    font.set_size(SIZE, 72)
+    return font
 
 
 def box_of(text: Text) -> Box:
@@ -98,8 +122,8 @@ def box_of(text: Text) -> Box:
     if text.centered:
         return (x - width / 2, y - h / 2, x + width / 2, y + h / 2)
     if text.turned:
-        return (x - h, y, x, y + width)
-    return (x, y, x + width, y + h)
+        return (x - h - AROUND, y - AROUND, x + AROUND, y + width + AROUND)
+    return (x - AROUND, y - AROUND, x + width + AROUND, y + h + AROUND)
 
 
 def turned(shape: Shape) -> Shape:

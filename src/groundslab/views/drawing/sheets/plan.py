@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from groundslab.arrays import Array
+from groundslab.languages import Translator
 from groundslab.model.axes.drawn import drawn_axes
 from groundslab.model.model import Model
 from groundslab.unit_systems import unit_in
@@ -54,7 +55,7 @@ def margins_of(model: Model, chains: Chains, per_meter: float) -> Margins:
     return Margins(left, below, right, above)
 
 
-def draw_plan(model: Model, sheet: Sheet, chains: Chains) -> Taken:
+def draw_plan(model: Model, sheet: Sheet, chains: Chains, say: Translator) -> Taken:
     """Add the plan with its dimensions to a sheet; return what is taken there."""
     shapes = [
         scaled(shape, sheet.per_meter, sheet.origin) for shape in plan_shapes(model) if shape.layer != "AXES_NAMES"
@@ -66,7 +67,7 @@ def draw_plan(model: Model, sheet: Sheet, chains: Chains) -> Taken:
         if isinstance(shape, Text):
             x, y = shape.place
             taken.labels.append((x - BUBBLE, y - BUBBLE, x + BUBBLE, y + BUBBLE))
-    for shape in _dimensions(model, sheet, chains):
+    for shape in _dimensions(model, sheet, chains, say):
         sheet.shapes.append(shape)
         if isinstance(shape, Text):
             taken.labels.append(box_of(shape))
@@ -107,7 +108,7 @@ def _bubbles(model: Model, sheet: Sheet) -> Iterator[Shape]:
         yield Text("AXES_NAMES", place, min(LETTERS, 1.7 * BUBBLE / width_of(axis.name, 1.0)), axis.name, centered=True)
 
 
-def _dimensions(model: Model, sheet: Sheet, chains: Chains) -> Iterator[Shape]:
+def _dimensions(model: Model, sheet: Sheet, chains: Chains, say: Translator) -> Iterator[Shape]:
     """Yield the chains of dimensions below the plan and at its left."""
     per_unit = unit_in("m", model.units)[1]
     x0, _, y0, _ = model.bounds
@@ -115,7 +116,7 @@ def _dimensions(model: Model, sheet: Sheet, chains: Chains) -> Iterator[Shape]:
         at = sheet.origin[1 - axis] + low * sheet.per_meter - FIRST
         for points in chains[axis]:
             at -= depth_of(points, sheet.per_meter, per_unit) if axis == 0 else 0.0
-            yield from chain(points, axis, at, sheet.origin, sheet.per_meter, per_unit)
+            yield from chain(points, axis, at, sheet.origin, sheet.per_meter, per_unit, say)
             at -= BETWEEN + (depth_of(points, sheet.per_meter, per_unit) if axis == 1 else 0.0)
 
 

@@ -9,6 +9,7 @@ import numpy as np
 from groundslab.languages import Translator
 from groundslab.messages import Message, Name
 from groundslab.model.model import Model
+from groundslab.units import format_number
 from groundslab.views.drawing.shapes import Line, Shape, Text
 from groundslab.views.drawing.sheets.paper import COLUMN, EDGE, FILED, LARGE, LETTERS, SIZES, SMALL, Paper, Sheet
 from groundslab.views.drawing.sheets.placing import width_of
@@ -17,11 +18,10 @@ from groundslab.views.tables.table import Table
 FRAME, TITLE, TABLE = "FRAME", "TITLE", "TABLE"
 #: Height of a row of the title block, of one of the list, and inside of their borders [mm].
 ROW, LINE, INSIDE = 9.0, 4.2, 2.0
-#: Columns of the list, and what stands above them.
-COLUMNS = {
-    "mark": "mark", "diameter": "diameter", "number": "number", "length": "length", "total length": "total",
-    "mass": "mass",
-}  # fmt: skip
+#: Between columns of the list, over the height of letters.
+APART = 2.0
+#: Columns of the list.
+COLUMNS = ("mark", "diameter", "number", "length", "total length", "mass")
 
 
 def draw_frame(model: Model, sheet: Sheet, number: int, count: int, say: Translator) -> None:
@@ -53,7 +53,7 @@ def _rows(model: Model, sheet: Sheet, number: int, count: int, say: Translator) 
     def given(key: str) -> str:
         return "" if project is None else str(getattr(project, key))
 
-    yield [(say("Project"), given("name") or model.title), (say("Number"), given("number"))]
+    yield [(say("Project"), given("name") or model.title), (say("Project number"), given("number"))]
     yield [
         (say("Part"), given("part") or (model.title if given("name") else "")),
         (say("Sheet"), f"{number} / {count}"),
@@ -90,30 +90,37 @@ def draw_list(model: Model, sheet: Sheet, table: Table, marks: Sequence[str], sa
     sheet.shapes.append(Text(TITLE, (left, top - LARGE), _fitting(say(sheet.title), LARGE, space), say(sheet.title)))
     if not rows:
         return
-    at = [next(i for i, column in enumerate(table.columns) if column.name == name) for name in COLUMNS]
-    units = [table.columns[i].unit for i in at]
-    heads = [f"{say(head)} [{unit}]" if unit else say(head) for head, unit in zip(COLUMNS.values(), units, strict=True)]
-    cells = [heads, *([_cell(row[i], unit) for i, unit in zip(at, units, strict=True)] for row in rows[:most])]
-    widths = [max(len(row[i]) for row in cells) + 1.5 for i in range(len(at))]
-    h = min(LETTERS, space / width_of("m", 1.0) / sum(widths))
-    y = top - 2.2 * LARGE
-    for row in cells:
-        x = left
-        for words, wide in zip(row, widths, strict=True):
-            x += width_of("m", h) * wide
-            # numbers end at the right of their column
-            sheet.shapes.append(Text(TABLE, (x - width_of("m", h) * 1.5 - width_of(words, h), y), h, Name(words)))
-        y -= LINE
+    columns = [next(column for column in table.columns if column.name == name) for name in COLUMNS]
+    heads = [f"{say(column.name)} [{column.unit}]" if column.unit else say(column.name) for column in columns]
+    at = [table.columns.index(column) for column in columns]
+    listed = [[say(_cell(row[i], table.columns[i].unit)) for i in at] for row in rows[:most]]
+    y, h = top - 2.2 * LARGE, LETTERS
+    for shape in _aligned([heads, *listed], left, y, space):
+        sheet.shapes.append(shape)
+        h = shape.height
     if len(rows) > most:
         more = say(Message("{count} more: the bending schedule", count=len(rows) - most))
-        sheet.shapes.append(Text(TABLE, (left, y), h, more))
+        sheet.shapes.append(Text(TABLE, (left, y - LINE * (most + 1)), h, more))
+
+
+def _aligned(rows: Sequence[Sequence[str]], left: float, top: float, space: float) -> Iterator[Text]:
+    """Yield the cells of rows, each at the right of its column, with smaller letters where space is little."""
+    widths = [max(width_of(row[i], 1.0) for row in rows) + APART for i in range(len(rows[0]))]
+    h = min(LETTERS, space / sum(widths))
+    for line, row in enumerate(rows):
+        x = left - APART * h
+        for words, wide in zip(row, widths, strict=True):
+            x += wide * h
+            yield Text(TABLE, (x - width_of(words, h), top - LINE * line), h, Name(words))
 
 
 def _cell(value: str | float | int | None, unit: str) -> str:
     """Return a cell of the list as it is written."""
     if not isinstance(value, float):
         return "" if value is None else str(value)
-    return f"{value:.{ {'mm': 0, 'in': 3, 'm': 3, 'ft': 3}.get(unit, 1) }f}"
+    if unit in ("mm", "in"):
+        return format_number(value, 4, trim=True)
+    return f"{value:.3f}" if unit in ("m", "ft") else f"{value:.1f}"
 
 
 def _fitting(words: str, height: float, space: float) -> float:
