@@ -52,12 +52,12 @@ const SHEETS: Offer = {
   label: "Bar drawings on paper",
   note: "a sheet to scale for each layer, for edges and for links, with dimensions and a title block",
   formats: [
-    ["bars-a1.pdf", "PDF, A1"],
-    ["bars-a2.pdf", "PDF, A2"],
-    ["bars-a3.pdf", "PDF, A3"],
-    ["bars-a1.dxf", "DXF, A1"],
-    ["bars-a2.dxf", "DXF, A2"],
-    ["bars-a3.dxf", "DXF, A3"],
+    ["bars-a1.pdf", "A1-PDF"],
+    ["bars-a2.pdf", "A2-PDF"],
+    ["bars-a3.pdf", "A3-PDF"],
+    ["bars-a1.dxf", "A1-DXF"],
+    ["bars-a2.dxf", "A2-DXF"],
+    ["bars-a3.dxf", "A3-DXF"],
   ],
 };
 const SCHEDULE: Offer = {
