@@ -117,14 +117,16 @@ def describe_bars(bars: argparse.ArgumentParser) -> None:
         "A plan of each face with one bar of each set, and the bar list by marks, with lengths and masses; laps "
         "and U-shaped bars at edges are in it if the case has [reinforcement.detailing]; so are links against punching "
         "where results need them. The bending schedule lists bars and links as they are cut and bent, without welded "
-        "meshes, which are delivered as sheets. An existing file is replaced only if groundslab wrote it."
+        "meshes, which are delivered as sheets; the building model has each bar in its place. An "
+        "existing file is replaced only if groundslab wrote it."
     )
     bars.add_argument("results", metavar="RESULTS", help="results folder written by groundslab solve")
     bars.add_argument(
         "--out",
         metavar="FILE",
         help="file to write: .dxf, .svg, .pdf or .png for the drawing; .csv or .xlsx for the bending schedule; .abs "
-        "for machines that bend bars (BVBS; default: RESULTS-bars.svg and RESULTS-bars.dxf next to the folder)",
+        "for machines that bend bars (BVBS); .ifc for a building model (default: RESULTS-bars.svg and "
+        "RESULTS-bars.dxf next to the folder)",
     )
     bars.add_argument(
         "--paper",

@@ -6,6 +6,7 @@ import os
 from collections.abc import Sequence
 from pathlib import Path
 
+from groundslab.design.bars.placed import placed_bars
 from groundslab.design.bars.positions import positions
 from groundslab.design.bars.proposal.links import punching_links
 from groundslab.design.rules.punching_links.layout import LinkLayout
@@ -26,6 +27,8 @@ from groundslab.views.plots import export
 
 #: What the names of files end with: of records of BVBS, of bending schedules as text and as workbooks.
 RECORDS, TEXT, WORKBOOK = ".abs", ".csv", ".xlsx"
+#: What that of a building model ends with.
+BUILDING = ".ifc"
 
 
 def write_bars(of: Model | Results | CombinationResult, path: str | Path, *, paper: Paper | None = None) -> Path:
@@ -48,8 +51,9 @@ def write_bars(of: Model | Results | CombinationResult, path: str | Path, *, pap
     path : str or pathlib.Path
         File to write: .dxf (in meters, on the layers OUTLINE, OPENINGS, COLUMNS, BAR_ZONES, BARS_BOTTOM_X, and so on,
         BARS_EDGES, LINKS, LABELS and TABLE), .svg, .pdf or .png; .csv or .xlsx for the bending schedule; .abs for
-        records of BVBS, which machines that bend bars read. Neither schedule nor records have welded meshes. An
-        existing file is replaced only if groundslab wrote it, or if it has records of BVBS alone.
+        records of BVBS, which machines that bend bars read; .ifc for a building model of the bars one by one. None of
+        these has welded meshes, and the building model no links but those against punching. An existing file is
+        replaced only if groundslab wrote it, or if it has records of BVBS alone.
     paper : str, optional
         "a1", "a2" or "a3": draw sheets, into a file that ends with .pdf or .dxf.
 
@@ -61,8 +65,8 @@ def write_bars(of: Model | Results | CombinationResult, path: str | Path, *, pap
     Raises
     ------
     InputError
-        If no bars are laid, or for schedule and records meshes alone, if the file cannot be written, or if ezdxf
-        (extra `dxf`) or XlsxWriter (`tables`) is missing.
+        If no bars are laid, or for schedule, records and building model meshes alone, if the file cannot be written,
+        or if ezdxf (extra `dxf`), XlsxWriter (`tables`) or IfcOpenShell (`ifc`) is missing.
 
     Examples
     --------
@@ -77,6 +81,8 @@ def write_bars(of: Model | Results | CombinationResult, path: str | Path, *, pap
     links = punching_links(of) if isinstance(of, Results) else ()
     if target.suffix.lower() in (RECORDS, TEXT, WORKBOOK):
         return _write_list(model, links, path, target)
+    if target.suffix.lower() == BUILDING:
+        return _write_building(model, links, path, target)
     if paper is not None:
         return _write_sheets(draw_sheets(model, links, paper), model, path, target)
     shapes = draw(model, links)
@@ -109,16 +115,35 @@ def left_out(of: Model | Results | CombinationResult, path: str | Path) -> list[
     model = of if isinstance(of, Model) else of.model
     ending = Path(path).suffix.lower()
     steel = model.reinforcement
-    if steel is None or ending not in (RECORDS, TEXT, WORKBOOK):
+    if steel is None or ending not in (RECORDS, TEXT, WORKBOOK, BUILDING):
         return []
     left = []
     if any(position.mesh for position in positions(model)):
         left.append("welded meshes are not in it: how they are cut into sheets is not known here")
     if ending == RECORDS and any(links.kind == "studs" for links in steel.links):
         left.append("studs are not in it: they are not bent")
+    if ending == BUILDING and (steel.beam_links or steel.shear_links):
+        left.append("links of beams and against one-way shear are not in it: they do not stand one by one here")
     if isinstance(of, CombinationResult):
         left.append("links against punching are not in it: they follow from all combinations")
     return left
+
+
+def _write_building(model: Model, links: Sequence[LinkLayout], path: str | Path, target: Path) -> Path:
+    """Write all bars as a building model."""
+    from groundslab.views.bars.ifc import to_bytes
+
+    if not (placed := placed_bars(model, links)):
+        raise InputError([Issue("reinforcement", "welded meshes alone", "bars, which lie one by one")])
+    export.write_file(path, target, to_bytes(model, placed))
+    return Path(path)
+
+
+def _check_building(path: str | Path) -> Path:
+    """Return the full path if a building model may be written there; else raise InputError."""
+    from groundslab.views.bars.ifc import check as check_ifc
+
+    return check_ifc(path)
 
 
 def _write_sheets(sheets: Sequence[Sheet], model: Model, path: str | Path, target: Path) -> Path:
@@ -162,6 +187,7 @@ def check(path: str | Path, paper: Paper | None = None) -> Path:
         RECORDS: lambda: check_replaceable(path, _is_bvbs_file, "records of BVBS"),
         TEXT: lambda: check_replaceable(path, is_schedule, "a bending schedule of groundslab"),
         WORKBOOK: lambda: xlsx.check(path),
+        BUILDING: lambda: _check_building(path),
     }
     return checks.get(Path(path).suffix.lower(), lambda: export.check(path))()
 

@@ -22,8 +22,8 @@ if TYPE_CHECKING:
 #: What a file is of, and its kind.
 ExportName = Literal[
     "report.pdf", "tables.xlsx", "tables.zip", "plan.pdf", "plan.svg", "plan.png", "plan.dxf", "bars.dxf", "bars.pdf",
-    "bars.svg", "bars.csv", "bars.xlsx", "bars.abs", "bars-a1.pdf", "bars-a2.pdf", "bars-a3.pdf", "bars-a1.dxf",
-    "bars-a2.dxf", "bars-a3.dxf", "saf.xlsx", "plate.vtu",
+    "bars.svg", "bars.csv", "bars.xlsx", "bars.abs", "bars.ifc", "bars-a1.pdf", "bars-a2.pdf", "bars-a3.pdf",
+    "bars-a1.dxf", "bars-a2.dxf", "bars-a3.dxf", "saf.xlsx", "plate.vtu",
 ]  # fmt: skip
 SAF: ExportName = "saf.xlsx"
 #: Notes that are passed on, and letters of one, at most.

@@ -41,11 +41,12 @@ const PLAN: Offer = {
 };
 const BARS: Offer = {
   label: "Drawing of the bars provided",
-  note: "a plan of each face, with the quantities",
+  note: "a plan of each face, with the quantities; as IFC each bar in its place",
   formats: [
     ["bars.dxf", "DXF"],
     ["bars.pdf", "PDF"],
     ["bars.svg", "SVG"],
+    ["bars.ifc", "IFC"],
   ],
 };
 const SHEETS: Offer = {

@@ -7,12 +7,11 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from groundslab.arrays import Array
-from groundslab.design.bars.positions import Position
+from groundslab.design.bars.positions import Position, inside_of
 from groundslab.languages import Translator
 from groundslab.messages import Message, Name
 from groundslab.model.model import Model
 from groundslab.unit_systems import bars_at, unit_in
-from groundslab.views.drawing.bars import inside_of
 from groundslab.views.drawing.shapes import Circle, Line, Shape
 from groundslab.views.drawing.sheets.bars import DOT, TICK, put_label
 from groundslab.views.drawing.sheets.dimensions import written
