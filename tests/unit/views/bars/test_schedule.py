@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import math
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -15,6 +16,7 @@ from groundslab.results.results import Results
 from groundslab.views.bars import left_out
 from groundslab.views.bars.bvbs import to_bvbs
 from groundslab.views.files import results_folder
+from groundslab.views.report.table_layout import summarize_table
 from groundslab.views.tables.bending_schedule import bending_schedule
 from groundslab.views.tables.result_tables import tables_of
 from helpers import synthetic
@@ -53,6 +55,17 @@ def test_schedule_and_records_say_the_same() -> None:
     assert [(record["p"], int(record["n"])) for record in records] == listed
     lengths = [round(1000 * length) for mark, length in zip(table["mark"], table["length"], strict=True) if mark]  # type: ignore[operator]
     assert [int(record["l"]) for record in records] == lengths
+
+
+def test_the_report_has_the_sums_of_a_long_schedule() -> None:
+    """Whole while it fits; of one that is too long for the text the masses by diameter and altogether."""
+    table = bending_schedule(model(**LINKS))
+    assert summarize_table(table) is None
+    columns = tuple(replace(column, values=20 * column.values[:-5] + column.values[-5:]) for column in table.columns)
+    sums = summarize_table(replace(table, columns=columns))
+    assert sums is not None
+    assert [head.text for head in sums.heads] == ["layer", "diameter", "number", "total length", "mass"]
+    assert [row[1].text and float(row[1].text) for row in sums.rows] == [8, 10, 12, 16, ""]
 
 
 def test_meshes_are_told_and_weighed() -> None:
