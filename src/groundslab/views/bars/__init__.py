@@ -19,6 +19,7 @@ from groundslab.storage.ownership import check_replaceable, is_figure
 from groundslab.views.bars.bvbs import is_bvbs, to_bvbs
 from groundslab.views.bars.schedule import is_schedule, schedule_of
 from groundslab.views.drawing.bars import LAYERS, draw
+from groundslab.views.drawing.shapes import Shape
 from groundslab.views.drawing.sheets.draw import LAYERS as SHEET_LAYERS
 from groundslab.views.drawing.sheets.draw import draw_sheets, in_one_drawing
 from groundslab.views.drawing.sheets.paper import PAPERS, Paper, Sheet
@@ -85,7 +86,11 @@ def write_bars(of: Model | Results | CombinationResult, path: str | Path, *, pap
         return _write_building(model, links, path, target)
     if paper is not None:
         return _write_sheets(draw_sheets(model, links, paper), model, path, target)
-    shapes = draw(model, links)
+    return _write_drawing(draw(model, links), model, path)
+
+
+def _write_drawing(shapes: Sequence[Shape], model: Model, path: str | Path) -> Path:
+    """Write the drawing of all bars, as a DXF file or as a figure."""
     if export.is_drawing(path):
         export.save_drawing(shapes, LAYERS, "Bars", path)
     else:
