@@ -16,6 +16,7 @@ from groundslab.design.bars.bending import LEG, STUD, BentBar
 from groundslab.design.bars.placed import PlacedBar
 from groundslab.design.bars.positions import U_SHAPE
 from groundslab.optional import import_optional
+from groundslab.schema.wording import printable
 from groundslab.storage.ownership import check_replaceable
 
 if TYPE_CHECKING:
@@ -83,11 +84,15 @@ class _Writer:
         units = self.create("IfcUnitAssignment", (length, area))
         named = model.project.name if model.project is not None and model.project.name else model.title
         self.project = self.create(
-            "IfcProject", self.identifier("project"), Name=named or "groundslab",
+            "IfcProject", self.identifier("project"), Name=printable(named) or "groundslab",
             RepresentationContexts=(self.context,), UnitsInContext=units,
         )  # fmt: skip
         above, self.storey = self.project, None
-        for kind, name in (("IfcSite", "Site"), ("IfcBuilding", "Building"), ("IfcBuildingStorey", model.title)):
+        for kind, name in (
+            ("IfcSite", "Site"),
+            ("IfcBuilding", "Building"),
+            ("IfcBuildingStorey", printable(model.title)),
+        ):
             part = self.create(kind, self.identifier(kind), Name=name, ObjectPlacement=self.placement())
             self.create("IfcRelAggregates", self.identifier(f"{kind} in"), None, None, None, above, (part,))
             above = part

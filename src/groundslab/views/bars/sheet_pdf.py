@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from groundslab._version import __version__
+from groundslab.schema.wording import printable
 from groundslab.views.bars.figure import ALONG_X, ALONG_Y, CAPITALS, LOOKS
 from groundslab.views.drawing.shapes import Circle, Line, Shape, Text
 from groundslab.views.drawing.sheets.paper import SIZES, Sheet
@@ -44,7 +45,7 @@ def to_pdf(title: str, sheets: Sequence[Sheet], language: Language, say: Transla
 
     width, height = SIZES[sheets[0].paper]
     about = {
-        "title": title or "groundslab", "mark": f"{MARK} {__version__}", "language": language, "width": width,
+        "title": printable(title) or "groundslab", "mark": f"{MARK} {__version__}", "language": language, "width": width,
         "height": height, "sheets": [say(sheet.title) for sheet in sheets],
     }  # fmt: skip
     files: Any = {"main.typ": TEMPLATE.encode(), "about.json": json.dumps(about).encode()}

@@ -211,6 +211,23 @@ def test_what_is_refused(tmp_path: Path) -> None:
         groundslab.write_bars(slab(), tmp_path / "bars.pdf", paper="a4")  # type: ignore[arg-type]
 
 
+def test_hostile_names_are_shown(tmp_path: Path) -> None:
+    """Control characters, marks and letters that the font lacks neither break files nor warn; long names are cut."""
+    ezdxf = pytest.importorskip("ezdxf")
+    names = ["\x1b[31mred\x07", "\u202e84.04\u202c", "\u4e2d\u6587", "long " * 26, "</text><b>&amp;"]
+    columns = [
+        {"name": name, "x": -4.0 + 2 * n, "y": 1.0, "width_x": 0.4, "width_y": 0.4} for n, name in enumerate(names)
+    ]
+    of = slab(zones=[], detailing=None).replace(columns=columns, title=names[0], project={"name": names[1]})
+    path = groundslab.write_bars(of, tmp_path / "bars.pdf", paper="a2")
+    assert path.read_bytes().startswith(b"%PDF-")
+    document = ezdxf.readfile(groundslab.write_bars(of, tmp_path / "bars.dxf", paper="a2"))
+    assert not document.audit().errors
+    words = {text.dxf.text for text in document.modelspace().query("TEXT")}
+    assert all(text.isprintable() and len(text) < 60 for text in words)
+    assert "</text><b>&amp;" in words
+
+
 def test_command(tmp_path: Path) -> None:
     """RESULTS-bars-a2.pdf beside the folder, or the file that --out names."""
     of = slab(zones=[], detailing=None)

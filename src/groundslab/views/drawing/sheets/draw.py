@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING
 
@@ -14,8 +15,9 @@ from groundslab.languages import Translator, translator
 from groundslab.model.model import Model
 from groundslab.model.names import names_of
 from groundslab.results.fields import LAYERS as FACES
+from groundslab.schema.wording import printable
 from groundslab.views.drawing.bars import LAYERS as BARS
-from groundslab.views.drawing.shapes import Layer, Shape, scaled
+from groundslab.views.drawing.shapes import Layer, Shape, Text, scaled
 from groundslab.views.drawing.sheets.bars import draw_bars
 from groundslab.views.drawing.sheets.edges import draw_edges
 from groundslab.views.drawing.sheets.links import draw_links
@@ -60,8 +62,13 @@ def draw_sheets(model: Model, links: Sequence[LinkLayout], paper: Paper) -> list
         draw(sheet, draw_plan(model, sheet, chains[title], say))
         draw_list(model, sheet, table, marks, say)
         draw_frame(model, sheet, number, len(wanted), say)
-        sheets.append(sheet)
+        sheets.append(replace(sheet, shapes=[_shown(shape) for shape in sheet.shapes]))
     return sheets
+
+
+def _shown(shape: Shape) -> Shape:
+    """Return a shape, a text without letters that files could not hold or nobody sees."""
+    return replace(shape, words=printable(shape.words)) if isinstance(shape, Text) else shape
 
 
 def _wanted(

@@ -18,7 +18,7 @@ from groundslab.units import UNITS, format_number
 from groundslab.views.drawing.shapes import Circle, Line, Shape, moved
 from groundslab.views.drawing.sheets.marks import label
 from groundslab.views.drawing.sheets.paper import Box, Sheet
-from groundslab.views.drawing.sheets.placing import Candidate, Taken
+from groundslab.views.drawing.sheets.placing import Candidate, Taken, shortened
 
 LAYER = "LINKS"
 #: Radius of a leg on paper, at least [mm], and from what is labelled to its label [mm].
@@ -46,7 +46,7 @@ def draw_links(
         words = Message(
             "{count} links {bars}", count=laid.number, bars=Name(bars_at(laid.diameter, laid.spacing, model.units))
         )
-        shown = label(LAYER, f"{mark}", [say(words)], [Name(laid.name)])
+        shown = label(LAYER, f"{mark}", [say(words)], [shortened(laid.name)])
         sheet.shapes.extend(taken.place(_beside(around, shown)))
 
 

@@ -11,6 +11,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from groundslab.arrays import Array
+from groundslab.messages import Name
+from groundslab.schema.wording import printable
 from groundslab.views.drawing.shapes import Line, Shape, Text
 from groundslab.views.drawing.sheets.paper import Box
 
@@ -23,6 +25,8 @@ if TYPE_CHECKING:
 OVER_LABEL, THROUGH_LABEL, OVER_BARS, OVER_PLAN, OUTSIDE = 100.0, 50.0, 20.0, 2.0, 100.0
 #: Size in which texts are measured [pt], the height of capitals over it, and what is kept free around a text [mm].
 SIZE, CAPITALS, AROUND = 100.0, 0.729, 0.5
+#: What stands for letters that the font lacks, and how many letters of a name are shown at most.
+WIDEST, LONGEST = "W", 24
 #: What it costs that a label covers a column [1/mm2].
 OVER_COLUMN = 20.0
 
@@ -99,8 +103,8 @@ def width_of(words: str, height: float) -> float:
 @cache
 def _width(words: str) -> float:
     """Return the width of a text over the height of its capitals."""
-    font = _font()
-    font.set_text(words)
+    font, known = _font(), _font().get_charmap()
+    font.set_text("".join(letter if ord(letter) in known else WIDEST for letter in words))
     return float(font.get_width_height()[0]) / 64 / (SIZE * CAPITALS)
 
 
@@ -113,6 +117,12 @@ def _font() -> FT2Font:
     font = FT2Font(str(Path(matplotlib.get_data_path(), "fonts", "ttf", "DejaVuSans.ttf")))
     font.set_size(SIZE, 72)
     return font
+
+
+def shortened(name: str) -> str:
+    """Return a name, the beginning of one that is long."""
+    shown = printable(name)
+    return Name(shown if len(shown) <= LONGEST else f"{shown[:LONGEST]}\N{HORIZONTAL ELLIPSIS}")
 
 
 def box_of(text: Text) -> Box:

@@ -15,7 +15,7 @@ from groundslab.unit_systems import unit_in
 from groundslab.views.drawing.shapes import Circle, Line, Shape, Text, plan_shapes, scaled
 from groundslab.views.drawing.sheets.dimensions import chain, depth_of, points_of
 from groundslab.views.drawing.sheets.paper import LETTERS, Margins, Sheet, plan_area
-from groundslab.views.drawing.sheets.placing import Candidate, Taken, box_of, thin_box, width_of
+from groundslab.views.drawing.sheets.placing import Candidate, Taken, box_of, shortened, thin_box, width_of
 
 if TYPE_CHECKING:
     from shapely.geometry.base import BaseGeometry
@@ -79,7 +79,7 @@ def draw_plan(model: Model, sheet: Sheet, chains: Chains, say: Translator) -> Ta
         taken.columns.append(thin_box(points.points))
     corners, taken.columns = taken.columns, []
     for column, around in zip(model.columns, corners, strict=True):
-        sheet.shapes.extend(taken.place(_around(column.name, around)))
+        sheet.shapes.extend(taken.place(_around(shortened(column.name), around)))
     taken.columns = corners
     return taken
 
@@ -105,7 +105,8 @@ def _bubbles(model: Model, sheet: Sheet) -> Iterator[Shape]:
         center = end + BUBBLE * (way / size if size else np.array([1.0, 0.0]))
         place = (float(center[0]), float(center[1]))
         yield Circle("AXES_NAMES", place, BUBBLE)
-        yield Text("AXES_NAMES", place, min(LETTERS, 1.7 * BUBBLE / width_of(axis.name, 1.0)), axis.name, centered=True)
+        name = shortened(axis.name)
+        yield Text("AXES_NAMES", place, min(LETTERS, 1.7 * BUBBLE / width_of(name, 1.0)), name, centered=True)
 
 
 def _dimensions(model: Model, sheet: Sheet, chains: Chains, say: Translator) -> Iterator[Shape]:
