@@ -45,8 +45,8 @@ def to_pdf(title: str, sheets: Sequence[Sheet], language: Language, say: Transla
 
     width, height = SIZES[sheets[0].paper]
     about = {
-        "title": printable(title) or "groundslab", "mark": f"{MARK} {__version__}", "language": language, "width": width,
-        "height": height, "sheets": [say(sheet.title) for sheet in sheets],
+        "title": printable(title) or "groundslab", "mark": f"{MARK} {__version__}", "language": language,
+        "width": width, "height": height, "sheets": [say(sheet.title) for sheet in sheets],
     }  # fmt: skip
     files: Any = {"main.typ": TEMPLATE.encode(), "about.json": json.dumps(about).encode()}
     files |= {f"{number}.svg": to_svg(sheet).encode() for number, sheet in enumerate(sheets)}
