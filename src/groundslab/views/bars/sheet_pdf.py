@@ -22,8 +22,11 @@ if TYPE_CHECKING:
 
 #: What a PDF says of itself, by which it is known.
 MARK = "Bars drawn by groundslab"
-#: Color and width [mm] of lines on layers that only sheets have.
-SHEET_LOOKS = {"FRAME": (style.INK, 0.5), "DIMENSIONS": (style.INK, 0.18), "TITLE": (style.INK, 0.18)}
+#: Color and width [mm] of lines on layers that figures of bars do not have, or draw as bars.
+SHEET_LOOKS = {
+    "FRAME": (style.INK, 0.5), "DIMENSIONS": (style.INK, 0.18), "TITLE": (style.INK, 0.18),
+    "AXES": (style.GREY, 0.18), "AXES_NAMES": (style.GREY, 0.25), "PITS": (style.INK, 0.25),
+}  # fmt: skip
 #: Lines on these layers are broken: dash and gap [mm].
 BROKEN = {"BAR_ZONES": "2.5 1.2", "AXES": "6 1.2 0.8 1.2"}
 #: Dots without a hole are not larger [mm].
