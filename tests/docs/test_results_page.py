@@ -13,6 +13,7 @@ from groundslab.results.fields import BAR_FIELDS, PLATE_FIELDS, POINT_FIELDS, RA
 from groundslab.results.results import Results
 from groundslab.study.definition.outputs import FIELDS as STUDIED
 from groundslab.views.plots.request import QUANTITIES as DRAWN
+from groundslab.views.tables.bending_schedule import bending_schedule
 from groundslab.views.tables.result_tables import tables_of
 from groundslab.views.tables.structure.cores import core_load_table, core_table
 from groundslab.views.tables.structure.walls import wall_limit_table
@@ -88,6 +89,12 @@ def test_every_column_is_explained() -> None:
         }
         own = explained(f"columns, by {code}")
         assert [(column.name, column.unit) for column in found["columns"].columns][-len(own) :] == own
+
+
+def test_columns_of_the_bending_schedule_are_explained() -> None:
+    """The table of bars that are not meshes."""
+    columns = bending_schedule(Model(**SLAB)).columns
+    assert explained("bending_schedule") == [(column.name, column.unit) for column in columns]
 
 
 def test_columns_of_limits_of_walls_are_explained() -> None:

@@ -11,6 +11,9 @@ from groundslab.errors import InputError, Issue
 if TYPE_CHECKING:
     import argparse
 
+#: Sizes of paper for sheets, as in views/drawing/sheets/paper.py, which the command line does without.
+PAPERS = ("a1", "a2", "a3")
+
 
 def describe(plot: argparse.ArgumentParser) -> None:
     """Add what the command plot understands."""
@@ -113,14 +116,24 @@ def describe_bars(bars: argparse.ArgumentParser) -> None:
     bars.epilog = (
         "A plan of each face with one bar of each set, and the bar list by marks, with lengths and masses; laps "
         "and U-shaped bars at edges are in it if the case has [reinforcement.detailing]; so are links against punching "
-        "where results need them. An existing file is replaced only if groundslab drew it."
+        "where results need them. The bending schedule lists bars and links as they are cut and bent, without welded "
+        "meshes, which are delivered as sheets; the building model has each bar in its place. An "
+        "existing file is replaced only if groundslab wrote it."
     )
     bars.add_argument("results", metavar="RESULTS", help="results folder written by groundslab solve")
     bars.add_argument(
         "--out",
         metavar="FILE",
-        help="file to write: .dxf, .svg, .pdf or .png, or .abs for machines that bend bars (BVBS; default: "
-        "RESULTS-bars.svg and RESULTS-bars.dxf next to the folder)",
+        help="file to write: .dxf, .svg, .pdf or .png for the drawing; .csv or .xlsx for the bending schedule; .abs "
+        "for machines that bend bars (BVBS); .ifc for a building model (default: RESULTS-bars.svg and "
+        "RESULTS-bars.dxf next to the folder)",
+    )
+    bars.add_argument(
+        "--paper",
+        metavar="SIZE",
+        choices=PAPERS,
+        help="a1, a2 or a3: draw sheets to scale, one for each layer, for edges and for links, with dimensions, a list "
+        "of the bars and a title block, into a .pdf or .dxf file (default: RESULTS-bars-SIZE.pdf next to the folder)",
     )
 
 
@@ -131,15 +144,15 @@ def run_bars(options: argparse.Namespace) -> int:
     from groundslab.views import bars
     from groundslab.views.files import results_folder
 
-    targets = bars.default_paths(options.results) if options.out is None else (Path(options.out),)
+    targets = bars.default_paths(options.results, options.paper) if options.out is None else (Path(options.out),)
     for target in targets:
-        bars.check(target)
+        bars.check(target, options.paper)
     results = results_folder.load_results(options.results)
     for target in targets:
-        bars.write_bars(results, target)
+        bars.write_bars(results, target, paper=options.paper)
         print_stderr(f"wrote {target}")
-        if target.suffix.lower() == bars.RECORDS:
-            print_stderr("note: records are of straight and U-shaped bars alone, not of meshes and links")
+        for words in bars.left_out(results, target):
+            print_stderr(f"note: {words}")
     return EXIT_OK
 
 

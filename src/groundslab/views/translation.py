@@ -43,11 +43,13 @@ def translated_tables(combined: Results) -> Iterator[Table]:
     """Yield the tables of results in the language of the case: titles, headings, notes and sentences."""
     translate = translator_of(combined)
     for table in tables_of(combined):
-        yield table if translate is str else _translate_table(table, translate)
+        yield translate_table(table, translate)
 
 
-def _translate_table(table: Table, translate: Translator) -> Table:
+def translate_table(table: Table, translate: Translator) -> Table:
     """Return a table with title, headings, notes and sentences in another language; all else in it stays."""
+    if translate is str:
+        return table
     columns = tuple(_translate_column(column, translate) for column in table.columns)
     return replace(table, title=translate(table.title), columns=columns, notes=tuple(map(translate, table.notes)))
 

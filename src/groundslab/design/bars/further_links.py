@@ -37,6 +37,8 @@ class LaidLinks:
     length: float  # of each, without hooks [m]
     place: tuple[float, float]  # of their middle [m]
     corners: tuple[float, float, float, float] | None = None  # x0, y0, x1, y1 of the part of a slab [m]
+    sides: tuple[float, float] | None = None  # of closed links, across and upright, outside [m]
+    legs: int = 1  # upright, of each
 
     @property
     def total(self) -> float:
@@ -116,8 +118,12 @@ def _of_beam(model: Model, steel: Reinforcement, links: BeamLinks) -> Iterator[L
     for h, places in alike.items():
         middle = places[len(places) // 2]
         covers = _covers(steel, middle)
-        each = 2 * (member.width - 2 * min(covers)) + links.legs * (h - sum(covers))
-        yield LaidLinks(links.of, "link", links.diameter, links.spacing, len(places), each, middle)
+        across, upright = member.width - 2 * min(covers), h - sum(covers)
+        each = 2 * across + links.legs * upright
+        yield LaidLinks(
+            links.of, "link", links.diameter, links.spacing, len(places), each, middle, None, (across, upright),
+            links.legs,
+        )  # fmt: skip
 
 
 def _thickness_at(model: Model, point: Point) -> float:

@@ -15,9 +15,9 @@ Meshes are delivered as sheets and have none of it.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
@@ -39,7 +39,8 @@ if TYPE_CHECKING:
 MOST_LENGTHS = 6
 #: A bar ends at an edge that is no farther than this [m].
 AT_EDGE = 1e-4
-STRAIGHT, U_SHAPE = "straight", "U"
+STRAIGHT: Literal["straight"] = "straight"
+U_SHAPE: Literal["U"] = "U"
 
 
 @dataclass(frozen=True, slots=True)
@@ -150,7 +151,7 @@ def _cut_all(model: Model, steel: Reinforcement, detailing: Detailing, bar_set: 
     rule = code_of(steel).detailing
     assert rule is not None
     cover = axis_of(steel, bar_set.layer) - bar_set.bars.diameter / 2
-    lengths = bar_set.lengths - cover * _at_edge(model, bar_set.ends).sum(axis=1)
+    lengths = bar_set.lengths - cover * at_edge(model, bar_set.ends).sum(axis=1)
     lap = lap_of(model, steel, bar_set.layer, bar_set.bars, rule)
     pieces = [cut(float(length), detailing.bar_length, lap) for length in lengths[lengths > 0]]
     counts = np.array([count for count, _ in pieces], dtype=int)
@@ -158,12 +159,26 @@ def _cut_all(model: Model, steel: Reinforcement, detailing: Detailing, bar_set: 
     return np.repeat(each, counts), lap if (counts > 1).any() else None
 
 
-def _at_edge(model: Model, ends: Array) -> Flags:
+def at_edge(model: Model, ends: Array) -> Flags:
     """Return which ends (k, 2, 2) of bars lie at an edge of the plan, (k, 2)."""
     import shapely
 
     edges: BaseGeometry = get_plate_region(model.plate, model.plates).area.boundary
     return np.asarray(shapely.distance(shapely.points(ends), edges) <= AT_EDGE)
+
+
+def inside_of(model: Model) -> Callable[[Array, int, float], bool]:
+    """Return whether the plan is on the upper side of a place along an axis, so far from it [m]."""
+    from shapely import Point
+
+    area = get_plate_region(model.plate, model.plates).area
+
+    def inside(place: Array, axis: int, off: float) -> bool:
+        beside = place.copy()
+        beside[axis] += off
+        return bool(area.intersects(Point(beside)))
+
+    return inside
 
 
 def _edge_bars(model: Model, steel: Reinforcement) -> Iterator[Position]:
@@ -186,7 +201,7 @@ def _edge_bars(model: Model, steel: Reinforcement) -> Iterator[Position]:
 
 def _places(model: Model, bar_set: BarSet) -> Array:
     """Return where bars of a set end at edges (k, 2) [m]."""
-    return np.asarray(bar_set.ends[_at_edge(model, bar_set.ends)])
+    return np.asarray(bar_set.ends[at_edge(model, bar_set.ends)])
 
 
 def _u_bars(

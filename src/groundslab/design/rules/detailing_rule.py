@@ -35,6 +35,31 @@ class EndingBar:
 
 
 @dataclass(frozen=True, slots=True)
+class BendRule:
+    """How bars and links are bent.
+
+    Attributes
+    ----------
+    mandrel, link_mandrel : callable
+        Of a diameter [m]: the least diameter of the mandrel [m] around which bars, and links, are bent.
+    hook : callable
+        Of a link's diameter [m] and the angle of its bend [deg], at most 90 or more: the least straight length beyond
+        the bend [m].
+    clauses : str
+        Where the code rules them.
+    """
+
+    mandrel: Callable[[float], float]
+    link_mandrel: Callable[[float], float]
+    hook: Callable[[float, float], float]
+    clauses: str
+
+    def hook_side(self, diameter: float, angle: float) -> float:
+        """Return the length of a link's hook [m], from the outer tangent of its bend to its end."""
+        return self.hook(diameter, angle) + self.link_mandrel(diameter) / 2 + diameter
+
+
+@dataclass(frozen=True, slots=True)
 class DetailingRule:
     """How bars end and lap.
 
@@ -60,6 +85,8 @@ class DetailingRule:
         Of materials and a cover [m]: the largest distance of bars for cracks [m], whatever bends the slab.
     anchorage_steps : callable
         Of materials, a bar, and a number n that ends the symbols: the calculation of its anchorage length l_b,n.
+    bends : BendRule
+        How bars and links are bent.
     clauses : dict
         Where the code rules anchorage, laps, the shift of moments and edges, by these names.
     """
@@ -74,4 +101,5 @@ class DetailingRule:
     crack_area: Callable[[Results, Reinforcement, str, float, float], Array] | None
     crack_spacing: Callable[[Reinforcement, float], float] | None
     anchorage_steps: Callable[[Reinforcement, EndingBar, int], Iterator[Step]]
+    bends: BendRule
     clauses: dict[str, str]

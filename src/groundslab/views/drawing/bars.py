@@ -5,18 +5,18 @@ The plan of the bottom face lies where the case has it, that of the top face bes
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
 from groundslab.arrays import Array
 from groundslab.design.bars.bar_layout import BarSet, bar_sets
+from groundslab.design.bars.bending import marked_further_links, marked_links
 from groundslab.design.bars.further_links import LaidLinks
-from groundslab.design.bars.positions import U_SHAPE, Position, positions
+from groundslab.design.bars.positions import U_SHAPE, Position, inside_of, positions
 from groundslab.design.rules.punching_links.layout import LinkLayout
 from groundslab.messages import Label, Message, Name
 from groundslab.model.model import Model
-from groundslab.model.plates.region import get_plate_region
 from groundslab.unit_systems import System, bar_size, bars_at, in_system, unit_in
 from groundslab.units import UNITS, format_number
 from groundslab.views.drawing.shapes import (
@@ -32,7 +32,6 @@ from groundslab.views.drawing.shapes import (
     rings,
 )
 from groundslab.views.tables.bar_quantities import bars as bars_table
-from groundslab.views.tables.bar_quantities import marked_further_links, marked_links
 from groundslab.views.tables.table import Table, in_units
 
 #: The layer with broken lines.
@@ -170,7 +169,7 @@ def _edge_bars(model: Model, position: Position, h: float) -> Iterator[Shape]:
     assert position.lap is not None
     axis = "xy".index(position.layer[-1])
     at = np.round(position.places, 3)
-    inside = _inside_of(model)
+    inside = inside_of(model)
     for number, where in enumerate(np.unique(at[:, axis])):
         there = at[at[:, axis] == where]
         place = there[np.argsort(there[:, 1 - axis], kind="stable")[len(there) // 2]]
@@ -185,20 +184,6 @@ def _edge_bars(model: Model, position: Position, h: float) -> Iterator[Shape]:
             yield Text(
                 "BARS_EDGES", (float(start[0]), float(start[1])), h, label_of([position], model.units), 90.0 * axis
             )
-
-
-def _inside_of(model: Model) -> Callable[[Array, int, float], bool]:
-    """Return whether the plan is on the upper side of a place along an axis, so far from it [m]."""
-    from shapely import Point
-
-    area = get_plate_region(model.plate, model.plates).area
-
-    def inside(place: Array, axis: int, off: float) -> bool:
-        beside = place.copy()
-        beside[axis] += off
-        return bool(area.intersects(Point(beside)))
-
-    return inside
 
 
 def _shown_bar(bar_set: BarSet, part: float) -> Array:

@@ -23,6 +23,8 @@ if TYPE_CHECKING:
 MARK, LOOK = "drawn by groundslab", 100_000
 #: Numbers of units of length among those of DXF.
 UNITS = {"m": 6, "ft": 2}
+#: The font of texts, which has the letters of all languages here.
+FONT = "arial.ttf"
 #: What the data of contours stand under: the quantity, its value and its unit.
 DATA = "GROUNDSLAB"
 #: What stands before the checksum of the rest; CAD programs leave comments out when they save.
@@ -71,6 +73,7 @@ def _document(shapes: Sequence[Shape], layers: Mapping[str, Layer], subject: str
     classes.add_required_classes(document.dxfversion)
     classes.classes = OrderedDict(sorted(classes.classes.items()))  # from a set, whose order varies between processes
     document.appids.add(DATA)
+    document.styles.get("Standard").dxf.font = FONT
     for name, look in layers.items():
         layer = document.layers.add(name, color=look.color, linetype="DASHED" if look.broken else "CONTINUOUS")
         if look.off:

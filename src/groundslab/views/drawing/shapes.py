@@ -107,11 +107,20 @@ def rings(polygon: Polygon) -> Sequence[LinearRing]:
 
 def moved(shape: Shape, by: tuple[float, float]) -> Shape:
     """Return a shape moved along x and y [m]."""
+    return scaled(shape, 1.0, by)
+
+
+def scaled(shape: Shape, factor: float, by: tuple[float, float] = (0.0, 0.0)) -> Shape:
+    """Return a shape enlarged about the origin, letters too, and then moved along x and y."""
+
+    def put(place: tuple[float, float]) -> tuple[float, float]:
+        return (factor * place[0] + by[0], factor * place[1] + by[1])
+
     if isinstance(shape, Line):
         curve = shape.curve
         if curve is not None:
-            curve = replace(curve, points=tuple((x + by[0], y + by[1]) for x, y in curve.points))
-        return replace(shape, points=shape.points + by, curve=curve)
+            curve = replace(curve, points=tuple(map(put, curve.points)))
+        return replace(shape, points=factor * shape.points + by, curve=curve)
     if isinstance(shape, Circle):
-        return replace(shape, center=(shape.center[0] + by[0], shape.center[1] + by[1]))
-    return replace(shape, place=(shape.place[0] + by[0], shape.place[1] + by[1]))
+        return replace(shape, center=put(shape.center), radius=factor * shape.radius)
+    return replace(shape, place=put(shape.place), height=factor * shape.height)

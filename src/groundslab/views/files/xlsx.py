@@ -7,6 +7,7 @@ import io
 import os
 import zipfile
 import zlib
+from collections.abc import Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -59,13 +60,19 @@ def write_workbook(results: CombinationResult | Results, path: str | Path) -> Pa
     >>> results = groundslab.solve(groundslab.load("case.toml"))
     >>> path = groundslab.write_workbook(results, "tables.xlsx")
     """
-    target = check(path)
+    check(path)
     combined = results_of(results)
+    return write_tables(translated_tables(combined), combined.model.title, path)
+
+
+def write_tables(tables: Iterable[Table], title: str, path: str | Path) -> Path:
+    """Write tables into a workbook, a sheet each; raises InputError. The same tables give the same bytes."""
+    target = check(path)
     content = io.BytesIO()
     with _workbook(content) as book:
-        book.set_properties({"title": combined.model.title, "comments": f"{MARK} {__version__}", "created": CREATED})
+        book.set_properties({"title": title, "comments": f"{MARK} {__version__}", "created": CREATED})
         bold, plain = book.add_format({"bold": True}), book.add_format({"text_wrap": False})
-        for table in translated_tables(combined):
+        for table in tables:
             _add_sheet(book, table, bold, plain)
     checksums.keep_file(target, _is_unchanged)
     atomic.write(target, content.getvalue())

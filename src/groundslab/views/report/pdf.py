@@ -54,12 +54,12 @@ def typeset(
     template = (HERE / "templates" / "report.typ").read_bytes()
     # the package's annotations lack several files
     files: Any = {"main.typ": template, "report.json": data.encode(), **writer.drawings}
-    made: bytes = typst.compile(files, font_paths=_fonts(), pdf_standards=list(STANDARDS))
+    made: bytes = typst.compile(files, font_paths=report_fonts(), pdf_standards=list(STANDARDS))
     return made
 
 
 @cache
-def _fonts() -> Any:
+def report_fonts() -> Any:
     """Return the fonts of the report: its own, those that Typst brings for formulas, and Matplotlib's for all else."""
     import typst
 

@@ -22,10 +22,12 @@ MOST_COLUMNS = 14
 MOST_ROWS = 24
 LONG = {
     "acting", "extremes", "envelope", "points", "soil", "lines", "strips", "supports", "columns", "pile_punching",
-    "wall_punching", "zone_punching", "shear_reinforcement", "support_moments",
+    "wall_punching", "zone_punching", "shear_reinforcement", "support_moments", "bending_schedule",
 }  # fmt: skip
 #: Tables that have no extremes, or whose extremes are in other parts of the report.
 ELSEWHERE = {"acting", "extremes", "envelope", "columns", "shear_reinforcement", "support_moments"}
+#: Of these the sums stand there instead: rows without what the first column names.
+SUMMED = {"bending_schedule"}
 #: Rows of a grid that are printed into a file at all; a table of more is read from its CSV file.
 MOST_IN_FILE = 3000
 
@@ -134,6 +136,8 @@ def summarize_table(table: Table) -> TableLayout | None:
     keys = keys_of(table)
     if table.name in ELSEWHERE or not is_long(table):
         return None
+    if table.name in SUMMED:
+        return _sums_of(table)
     combination = table.columns[0].values
     name = table.columns[1].values
     errors = errors_of(table)
@@ -155,6 +159,13 @@ def summarize_table(table: Table) -> TableLayout | None:
     heads = headers(table.columns[1].name, "quantity", "unit")
     heads = (*heads, least, *s, combined, greatest, *s, combined)
     return TableLayout("", heads, tuple(rows), ("Extremes over all combinations.",))
+
+
+def _sums_of(table: Table) -> TableLayout:
+    """Return the rows of sums of a table."""
+    at = [i for i, first in enumerate(table.columns[0].values) if first is None]
+    columns = tuple(replace(column, values=tuple(column.values[i] for i in at)) for column in table.columns)
+    return drop_empty_columns(layout_table(replace(table, title="", columns=columns, notes=())))
 
 
 def keys_of(table: Table) -> int:

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from groundslab.design.bars.further_links import LaidLinks, further_links
+from groundslab.design.bars.bending import LINKS, marked_further_links, marked_links
+from groundslab.design.bars.further_links import LaidLinks
 from groundslab.design.bars.positions import MOST_LENGTHS, Position, positions
 from groundslab.design.rules.punching_links.layout import LinkLayout
 from groundslab.messages import Message, joined
@@ -15,12 +16,7 @@ from groundslab.views.tables.table import Cell, Table, table_of
 MM = 1e3
 #: What a reader must know of links.
 LINKS_NOTE = "Links are those of the table shear_reinforcement: proposed, vertical legs without hooks."
-
-
 FURTHER_NOTE = "Links of beams are closed, with their inner legs; of them and of legs in the slab hooks are not in it."
-
-#: The layer of links in the table.
-LINKS = "links"
 
 
 def bars(model: Model, links: Sequence[LinkLayout] = ()) -> Table:
@@ -64,18 +60,6 @@ def bars(model: Model, links: Sequence[LinkLayout] = ()) -> Table:
         ),
     ]
     return table_of("bars", "Bars provided", heads, rows, notes)
-
-
-def marked_links(links: Sequence[LinkLayout], listed: Sequence[Position]) -> dict[int, LinkLayout]:
-    """Return the links that are laid by their marks, which follow those of the bars."""
-    laid = (layout for layout in links if layout.perimeters)
-    return dict(enumerate(laid, start=len(listed) + 1))
-
-
-def marked_further_links(model: Model, links: Sequence[LinkLayout], listed: Sequence[Position]) -> dict[int, LaidLinks]:
-    """Return the links of beams and against one-way shear by their marks, which follow those against punching."""
-    first = len(listed) + len(marked_links(links, listed)) + 1
-    return dict(enumerate(further_links(model), start=first))
 
 
 def _further_row(laid: LaidLinks, mark: int, area: float) -> list[Cell]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import cache, partial
 
+from groundslab.design.bars.bending import bent_bars
 from groundslab.design.bars.members import members_of
 from groundslab.design.bars.proposal.links import punching_links
 from groundslab.design.checks import check_design
@@ -20,6 +21,8 @@ from groundslab.schema.issues import require
 from groundslab.unit_systems import System
 from groundslab.views.tables import errors
 from groundslab.views.tables.bar_quantities import bars
+from groundslab.views.tables.bending_schedule import NAME as SCHEDULE
+from groundslab.views.tables.bending_schedule import bending_schedule
 from groundslab.views.tables.calculations import calculations
 from groundslab.views.tables.checks_table import checks_table
 from groundslab.views.tables.envelopes import envelopes, fields_of_envelope
@@ -171,4 +174,6 @@ def _of_reinforcement(combined: Results, steel: Reinforcement) -> dict[str, Call
         makers["shear_reinforcement"] = lambda: shear_reinforcement(combined)
     if steel.laid:
         makers["bars"] = lambda: bars(model, links)
+        if bent_bars(model, links):
+            makers[SCHEDULE] = lambda: bending_schedule(model, links)
     return makers

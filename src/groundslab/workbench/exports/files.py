@@ -22,7 +22,8 @@ if TYPE_CHECKING:
 #: What a file is of, and its kind.
 ExportName = Literal[
     "report.pdf", "tables.xlsx", "tables.zip", "plan.pdf", "plan.svg", "plan.png", "plan.dxf", "bars.dxf", "bars.pdf",
-    "bars.svg", "bars.abs", "saf.xlsx", "plate.vtu",
+    "bars.svg", "bars.csv", "bars.xlsx", "bars.abs", "bars.ifc", "bars-a1.pdf", "bars-a2.pdf", "bars-a3.pdf",
+    "bars-a1.dxf", "bars-a2.dxf", "bars-a3.dxf", "saf.xlsx", "plate.vtu",
 ]  # fmt: skip
 SAF: ExportName = "saf.xlsx"
 #: Notes that are passed on, and letters of one, at most.
@@ -178,10 +179,20 @@ def _find_minus(results: Results, wanted: Wanted) -> Subtracted:
 
 
 def _write_bars(results: Results, _: Wanted, path: Path) -> Sequence[str]:
-    """Draw the bars that are laid."""
-    from groundslab.views.bars import write_bars
+    """Draw or list the bars that are laid."""
+    from groundslab.views.bars import left_out, write_bars
 
     write_bars(results, path)
+    return left_out(results, path)
+
+
+def _write_sheets(results: Results, _: Wanted, path: Path) -> Sequence[str]:
+    """Draw the bars that are laid on sheets of the paper that the file is called after."""
+    from groundslab.views.bars import write_bars
+    from groundslab.views.drawing.sheets.paper import PAPERS
+
+    paper = next(paper for paper in PAPERS if path.stem.endswith(paper))
+    write_bars(results, path, paper=paper)
     return ()
 
 
@@ -207,5 +218,6 @@ def _write_plate(results: Results, wanted: Wanted, path: Path) -> Sequence[str]:
 
 _WRITERS: dict[str, Callable[[Results, Wanted, Path], Sequence[str]]] = {
     "tables": _write_tables, "plan": _write_plan, "bars": _write_bars, "saf": _write_saf, "plate": _write_plate,
+    "bars-a1": _write_sheets, "bars-a2": _write_sheets, "bars-a3": _write_sheets,
 }  # fmt: skip
 assert {name.partition(".")[0] for name in get_args(ExportName)} == {"report", *_WRITERS}

@@ -62,6 +62,10 @@ SAME: list[tuple[Wanted, Write]] = [
     (Wanted("tables.xlsx"), gs.write_workbook),
     (Wanted("bars.dxf"), gs.write_bars),
     (Wanted("bars.svg"), gs.write_bars),
+    (Wanted("bars.csv"), gs.write_bars),
+    (Wanted("bars.xlsx"), gs.write_bars),
+    (Wanted("bars.ifc"), gs.write_bars),
+    (Wanted("bars-a3.pdf"), lambda results, path: gs.write_bars(results, path, paper="a3")),
     (Wanted("plan.pdf", field="settlement"), lambda results, path: results.plot("settlement", to=path)),
     (
         Wanted("plan.dxf", field="moment_x", envelope="ultimate"),

@@ -41,11 +41,32 @@ const PLAN: Offer = {
 };
 const BARS: Offer = {
   label: "Drawing of the bars provided",
-  note: "a plan of each face, with the quantities",
+  note: "a plan of each face, with the quantities; as IFC each bar in its place",
   formats: [
     ["bars.dxf", "DXF"],
     ["bars.pdf", "PDF"],
     ["bars.svg", "SVG"],
+    ["bars.ifc", "IFC"],
+  ],
+};
+const SHEETS: Offer = {
+  label: "Bar drawings on paper",
+  note: "a sheet to scale for each layer, for edges and for links, with dimensions and a title block",
+  formats: [
+    ["bars-a1.pdf", "A1-PDF"],
+    ["bars-a2.pdf", "A2-PDF"],
+    ["bars-a3.pdf", "A3-PDF"],
+    ["bars-a1.dxf", "A1-DXF"],
+    ["bars-a2.dxf", "A2-DXF"],
+    ["bars-a3.dxf", "A3-DXF"],
+  ],
+};
+const SCHEDULE: Offer = {
+  label: "Bending schedule",
+  note: "bars and links as they are cut and bent, with their masses; without welded meshes",
+  formats: [
+    ["bars.xlsx", "XLSX"],
+    ["bars.csv", "CSV"],
     ["bars.abs", "BVBS"],
   ],
 };
@@ -71,7 +92,7 @@ let last = "report.html"; // what was exported before is offered first
 export function chooseExport(store: Store): Promise<string | null> {
   return new Promise((resolve) => {
     const isView = store.doc?.view !== undefined;
-    const offers = [REPORT, TABLES, PLAN, BARS, SAF, FIELDS, ...(isView ? [] : [ARCHIVE])];
+    const offers = [REPORT, TABLES, PLAN, BARS, SHEETS, SCHEDULE, SAF, FIELDS, ...(isView ? [] : [ARCHIVE])];
     const rows = offers.map((offer) => new Row(offer, store));
     const close = (file: string | null) => {
       closeDialog(dialog);

@@ -10,9 +10,13 @@ from groundslab.design.codes.aci318 import development
 from groundslab.design.codes.aci318.checks.bars import CLEAR, CRACKS, SPACING, crack_spacing, crack_stress, least_cover
 from groundslab.design.codes.aci318.materials_of_case import materials
 from groundslab.design.rules.calculation import MEGA, Step
-from groundslab.design.rules.detailing_rule import DetailingRule, EndingBar
+from groundslab.design.rules.detailing_rule import BendRule, DetailingRule, EndingBar
 from groundslab.model.design.reinforcement import Reinforcement
 
+#: The largest diameters [m] of No. 5, No. 8 and No. 11, a little above them.
+NO_5, NO_8, NO_11 = 0.0160, 0.0260, 0.0370
+#: The straight part of a hook is at least so long [m], 3 in. (Table 25.3.2).
+LEAST_HOOK = 0.0762
 #: Bars reach so many diameters, or d, beyond where they are needed (7.7.3.3, by 8.7.4.1.1).
 BEYOND = 12
 
@@ -55,6 +59,23 @@ def _crack_spacing(steel: Reinforcement, cover: float) -> float:
     return float(min(crack_spacing(crack_stress(steel), np.array(cover), units) for units in CRACKS))
 
 
+def _mandrel(diameter: float) -> float:
+    """Return the least inside diameter of bends of bars [m] (Table 25.3.1)."""
+    return diameter * (6 if diameter < NO_8 else 8 if diameter < NO_11 else 10)
+
+
+def _link_mandrel(diameter: float) -> float:
+    """Return the least inside diameter of bends of stirrups [m] (Table 25.3.2)."""
+    return 4 * diameter if diameter <= NO_5 else _mandrel(diameter)
+
+
+def _hook(diameter: float, angle: float) -> float:
+    """Return the straight extension of a stirrup's hook [m] (Table 25.3.2)."""
+    if angle <= 90 and diameter > NO_5:
+        return 12 * diameter
+    return max(6 * diameter, LEAST_HOOK)
+
+
 RULE = DetailingRule(
     anchorage=lambda steel, bar: _length(steel, bar, splice=False),
     lap=lambda steel, bar: _length(steel, bar, splice=True),
@@ -66,5 +87,6 @@ RULE = DetailingRule(
     crack_area=None,
     crack_spacing=_crack_spacing,
     anchorage_steps=anchorage_steps,
+    bends=BendRule(_mandrel, _link_mandrel, _hook, "25.3"),
     clauses={"anchorage": "25.4.2", "laps": "25.5.2", "shift": "7.7.3.3", "edges": ""},
 )

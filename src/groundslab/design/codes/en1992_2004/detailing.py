@@ -13,7 +13,7 @@ from groundslab.design.codes.en1992_2004.materials_of_case import least_cover, m
 from groundslab.design.demands.support_moments import bar_moments
 from groundslab.design.rules.calculation import MEGA, Step
 from groundslab.design.rules.combinations import solved_results
-from groundslab.design.rules.detailing_rule import DetailingRule, EndingBar
+from groundslab.design.rules.detailing_rule import BendRule, DetailingRule, EndingBar
 from groundslab.fem.cracked_section import mean_tensile_strength
 from groundslab.model.design.laid_bars import axis_of
 from groundslab.model.design.reinforcement import Reinforcement
@@ -23,6 +23,13 @@ from groundslab.results.results import Results
 AGGREGATE = 0.020
 #: Clear distance of bars: the least [m], the factor of the aggregate's size, and what is added to it [m] (8.2(2)).
 CLEAR = (0.020, 1.0, 0.005)
+#: Diameters in that of the mandrel, of bars up to a diameter [m] and of thicker ones (Table 8.1N).
+MANDRELS, THIN = (4, 7), 0.016
+#: Straight part of a link's hook beyond its bend: times the diameter, at least [m], of one turned by more than 90
+#: degrees and of one of 90 (Figure 8.5 a, b).
+HOOK, BEND = (5, 0.050), (10, 0.070)
+#: Of a diameter [m].
+ROUNDING = 1e-9
 #: Halvings of the interval in which an area is looked for: to 1 / 1000 of it and less.
 HALVINGS = 14
 
@@ -123,6 +130,17 @@ def _halved(low: Array, wide: Integers, most: Array, too_wide: Callable[[Integer
     return area
 
 
+def _mandrel(diameter: float) -> float:
+    """Return the least diameter of the mandrel [m] (Table 8.1N)."""
+    return diameter * MANDRELS[diameter > THIN + ROUNDING]
+
+
+def _hook(diameter: float, angle: float) -> float:
+    """Return the straight length beyond the bend of a link's hook [m] (Figure 8.5)."""
+    times, least = HOOK if angle > 90 else BEND
+    return max(times * diameter, least)
+
+
 RULE = DetailingRule(
     anchorage=lambda steel, bar: _length(steel, bar, lap=False),
     lap=lambda steel, bar: _length(steel, bar, lap=True),
@@ -134,5 +152,6 @@ RULE = DetailingRule(
     crack_area=crack_area,
     crack_spacing=None,
     anchorage_steps=anchorage_steps,
+    bends=BendRule(_mandrel, _mandrel, _hook, "8.3, 8.5"),
     clauses={"anchorage": "8.4.4", "laps": "8.7.3", "shift": "9.2.1.3(2)", "edges": "9.3.1.4"},
 )
