@@ -9,15 +9,10 @@ from groundslab.case.casefile import load
 from groundslab.design.checks import check_design
 from groundslab.design.codes.en1992_2023.checks.punching_demand import column_demands
 from groundslab.views.tables.result_tables import tables_of
-from helpers.paths import EXAMPLES
+from helpers.paths import EXAMPLES, TAKE_LONG
 
-#: Those whose default answer takes long are solved on large elements for their reports, and held to the same there.
-ON_LARGE_ELEMENTS = {
-    "bearing_walls", "grade_beams", "house_raft", "industrial_floor", "l_raft", "oblique_facade", "pad",
-    "raft_on_continuum", "raft_under_a_frame", "raft_with_pit", "ribbed_raft", "second_generation", "tank", "void",
-    "warehouse", "wind_turbine",
-}  # fmt: skip
-CASES = sorted({path.stem for path in EXAMPLES.glob("*.toml")} - ON_LARGE_ELEMENTS)
+#: The others are held to the same on large elements, where they are solved for their reports.
+CASES = sorted({path.stem for path in EXAMPLES.glob("*.toml")} - TAKE_LONG)
 
 
 @pytest.mark.slow

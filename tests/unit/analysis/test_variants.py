@@ -54,7 +54,7 @@ def same(found: driver.CombinationResult, wanted: driver.CombinationResult) -> N
 
 
 @pytest.mark.parametrize(
-    ("change", "beyond"), zip(CHANGES.values(), ("none", "infinite") * 3, strict=True), ids=list(CHANGES)
+    ("change", "beyond"), [*zip(CHANGES.values(), ("none", "infinite") * 3, strict=True)], ids=list(CHANGES)
 )
 def test_a_variant_has_the_results_that_it_has_by_itself(change: dict[str, Any], beyond: str) -> None:
     """Whatever is changed about the base case, the mesh included."""
