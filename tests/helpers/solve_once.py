@@ -11,7 +11,7 @@ from groundslab.model.outputs import Report
 from groundslab.results.results import Results
 
 #: So many slabs, and models of them, are kept.
-KEPT = 12
+KEPT = 24
 
 
 @lru_cache(KEPT)
