@@ -11,7 +11,7 @@ import numpy as np
 
 from groundslab.design.demands.line_properties import total_length
 from groundslab.design.demands.perimeter_pieces import WeightedLegs, pieces_of
-from groundslab.design.demands.perimeters import directed
+from groundslab.design.demands.perimeters import outside
 from groundslab.geometry.plan import DRAWN_CHORD
 from groundslab.messages import Name
 from groundslab.views.plots import style
@@ -214,11 +214,9 @@ def _places(legs: Array) -> Array:
 
 def _cut(sketch: SketchedPerimeter) -> Array:
     """Return the legs (k, 2, 2) of a perimeter on the slab that do not count at all."""
-    from shapely import difference, linestrings, multilinestrings
+    from shapely import linestrings, multilinestrings
 
-    whole = sketch.line.whole
-    counted = multilinestrings(linestrings(sketch.legs)).buffer(NONE)
-    cut: Array = directed(whole, difference(linestrings(whole), counted))
+    cut = outside(sketch.line.whole, multilinestrings(linestrings(sketch.legs)).buffer(NONE))
     long: Array = cut[np.linalg.norm(cut[:, 1] - cut[:, 0], axis=1) > 10 * NONE]
     return long
 
