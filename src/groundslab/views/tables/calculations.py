@@ -99,8 +99,10 @@ def _bending(
     combined: Results, steel: Reinforcement, by_steps: Callable[[Reinforcement, BarsNeeded, str], Iterator[Step]]
 ) -> Iterator[tuple[str, Calculation]]:
     """Yield the calculations of each layer of bars that are in tension."""
-    states = {result.combination: result.limit_state for result in ultimate_results(combined)}
-    nodes = next(iter(combined.results.values())).plate.nodes
+    ultimate = ultimate_results(combined)
+    if not ultimate:
+        return
+    states, nodes = {result.combination: result.limit_state for result in ultimate}, ultimate[0].plate.nodes
     laid = {layer: laid_bars(steel, layer, nodes).area for layer in LAYERS} if steel.laid else None
     axes = dict(zip(LAYERS, (*steel.bottom_axes, *steel.top_axes), strict=True))
     for need in _used_most(governing_needs(combined, steel, laid)):
