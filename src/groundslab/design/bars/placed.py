@@ -9,7 +9,7 @@ punching have their hooks along x.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -38,6 +38,10 @@ if TYPE_CHECKING:
     from shapely.geometry.base import BaseGeometry
 
 
+#: Bars as they are cut and bent by the marks of their positions.
+Bent = Mapping[int, Sequence[BentBar]]
+
+
 @dataclass(frozen=True, slots=True)
 class PlacedBar:
     """A bar: what it is cut and bent to, and the corners (k, 3) of its axis [m]."""
@@ -52,34 +56,24 @@ def placed_bars(model: Model, links: Sequence[LinkLayout] = ()) -> list[PlacedBa
     if steel is None or not steel.laid:
         return []
     listed = positions(model)
-    bent = _Bent(bent_bars(model, links))
+    bent: dict[int, list[BentBar]] = {}
+    for bar in bent_bars(model, links):
+        bent.setdefault(int(bar.mark.partition("-")[0]), []).append(bar)
     made = [
         one for bar_set in bar_sets(model) if not bar_set.mesh for one in _straight(model, steel, bar_set, listed, bent)
     ]
     made += [one for position in listed if position.shape == U_SHAPE for one in _at_edges(model, steel, position, bent)]
     for mark, layout in marked_links(links, listed).items():
-        made += _legs(steel, layout, bent.of(mark))
+        made += _legs(steel, layout, bent[mark][0])
     return made
 
 
-class _Bent:
-    """The bars that are cut and bent, found by the position and their length."""
-
-    def __init__(self, bars: Sequence[BentBar]) -> None:
-        self._bars = {(int(bar.mark.partition("-")[0]), round(bar.length * 1e3)): bar for bar in bars}
-        self._marks = {int(bar.mark.partition("-")[0]): bar for bar in bars}
-
-    def of(self, mark: int, length: float | None = None) -> BentBar:
-        """Return the bar of a position, of one of its lengths [m]."""
-        return self._marks[mark] if length is None else self._bars[mark, round(length * 1e3)]
-
-
 def _straight(
-    model: Model, steel: Reinforcement, bar_set: BarSet, listed: Sequence[Position], bent: _Bent
+    model: Model, steel: Reinforcement, bar_set: BarSet, listed: Sequence[Position], bent: Bent
 ) -> Iterator[PlacedBar]:
     """Yield the bars of a set, each piece by itself."""
     own = [one for one in listed if (one.layer, one.zone, one.shape) == (bar_set.layer, bar_set.zone, STRAIGHT)]
-    marks = {int(length): one.mark for one in own for length in np.rint(one.lengths * 1e3)}
+    alike = [bar for one in own for bar in bent[one.mark]]
     axis, off = bar_set.axis, axis_of(steel, bar_set.layer)
     detailing, lap = steel.detailing, next((one.lap for one in own if one.lap is not None), 0.0)
     ends = bar_set.ends.copy()
@@ -90,12 +84,13 @@ def _straight(
     for bar in ends[ends[:, 1, axis] > ends[:, 0, axis]]:
         length = float(bar[1, axis] - bar[0, axis])
         count, each = (1, length) if detailing is None else cut(length, detailing.bar_length, lap)
+        cut_bar = min(alike, key=lambda one: abs(one.length - each))
         height = _height(slabs, bar, bar_set.layer, off)
         for number in range(count):
             corners = np.column_stack([bar, [height, height]])
             corners[:, axis] = bar[0, axis] + number * (each - lap) + np.array([0.0, each])
             corners[:, 1 - axis] += number % 2 * bar_set.bars.diameter
-            yield PlacedBar(bent.of(marks[round(each * 1e3)], each), corners)
+            yield PlacedBar(cut_bar, corners)
 
 
 def _slabs(model: Model) -> Iterator[tuple[BaseGeometry, float, float]]:
@@ -123,12 +118,12 @@ def _height(slabs: Sequence[tuple[BaseGeometry, float, float]], bar: Array, laye
     return level - off if layer.startswith("top") else level - thickness + off
 
 
-def _at_edges(model: Model, steel: Reinforcement, position: Position, bent: _Bent) -> Iterator[PlacedBar]:
+def _at_edges(model: Model, steel: Reinforcement, position: Position, bent: Bent) -> Iterator[PlacedBar]:
     """Yield the U-shaped bars of a position, their backs the cover off the edge."""
     assert position.places is not None
     assert position.lap is not None
     axis, inside = "xy".index(position.layer[-1]), inside_of(model)
-    bar = bent.of(position.mark)
+    bar = bent[position.mark][0]
     offs = [axis_of(steel, f"{face}_{'xy'[axis]}") for face in ("bottom", "top")]
     low, high = offs[0] - edge_thickness(model), -offs[1]
     cover = min(offs) - position.bars.diameter / 2

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from groundslab.design.bars.bending import CLOSED, HOOK, LINKS, RIGHT, BentBar, bent_bars
+from groundslab.design.bars.bending import CLOSED, LINKS, BentBar, bent_bars
 from groundslab.design.bars.positions import positions
 from groundslab.design.codes.registry import code_of
 from groundslab.design.rules.punching_links.layout import LinkLayout
@@ -18,7 +18,7 @@ MM = 1e3
 SUM = "all bars"
 HEADS: tuple[Head, ...] = (
     ("mark", ""), ("layer", ""), ("shape", ""), ("diameter", "mm"), ("number", ""), ("a", "mm"), ("b", "mm"),
-    ("c", "mm"), (f"hook of {HOOK}°", "mm"), (f"hook of {RIGHT}°", "mm"), ("mandrel", "mm"), ("length", "m"),
+    ("c", "mm"), ("hook", "mm"), ("right-angled hook", "mm"), ("mandrel", "mm"), ("length", "m"),
     ("total length", "m"), ("mass", "kg"),
 )  # fmt: skip
 

@@ -42,7 +42,7 @@ def test_masses_by_diameter_and_altogether() -> None:
         assert row["number"] == sum(bar["number"] for bar in own)  # type: ignore[misc]
     closed = next(bar for bar in bars if bar["shape"] == "link")
     assert (closed["a"], closed["b"], closed["c"]) == (pytest.approx(900), pytest.approx(500), None)
-    assert (closed["hook of 135°"], closed["hook of 90°"]) == (pytest.approx(96), None)
+    assert (closed["hook"], closed["right-angled hook"]) == (pytest.approx(96), None)
     assert any("8.3, 8.5" in note for note in table.notes)
 
 
