@@ -18,13 +18,13 @@ class Extrapolation:
     def __init__(self) -> None:
         self.steps: deque[tuple[Array, Array]] = deque(maxlen=DEPTH)  # what came out, and by how much it changed
 
-    def next(self, x: Array, found: Array) -> Array:
-        """Return what to try after x, of which `found` came out."""
-        change = (found - x).ravel()
-        self.steps.append((found.ravel(), change))
+    def next(self, x: Array, outcome: Array) -> Array:
+        """Return what to try after x, of which `outcome` came out."""
+        change = (outcome - x).ravel()
+        self.steps.append((outcome.ravel(), change))
         if len(self.steps) < 2:
-            return found
+            return outcome
         outcomes, changes = (np.diff(np.array(steps), axis=0) for steps in zip(*self.steps, strict=True))
         weights = np.linalg.lstsq(changes.T, change, rcond=1e-8)[0]
-        tried: Array = (found.ravel() - weights @ outcomes).reshape(x.shape)
+        tried: Array = (outcome.ravel() - weights @ outcomes).reshape(x.shape)
         return tried

@@ -99,20 +99,22 @@ class _ContactIteration:
         of_supports = system.problem.contact.bearing.support >= 0
         return ContactProblem(A, f, self.law, level.motions, system.problem.measures, of_supports)
 
-    def _refine(self, found: Contact, problem: ContactProblem) -> Contact:
+    def _refine(self, ground_contact: Contact, problem: ContactProblem) -> Contact:
         """Return a solution just found without the rounding of its factorization."""
-        return contact.refine(problem, self.step.level.factorization, found)
+        return contact.refine(problem, self.step.level.factorization, ground_contact)
 
-    def solution(self, found: Contact, column: Column, gamma: float | None) -> Solution:
+    def solution(self, ground_contact: Contact, column: Column, gamma: float | None) -> Solution:
         """Return the solution of the load step; on the finest mesh raises NeutralEquilibrium if nothing holds it."""
         step, problem = self.step, self.step.system.problem
         if step.finest:
-            found = self._refine(found, self._problem(column, gamma))
-            require_hold(problem, found)
+            ground_contact = self._refine(ground_contact, self._problem(column, gamma))
+            require_hold(problem, ground_contact)
         if self.coarser is not None:
-            step.level.zones.append((self.coarser, found.state.astype(np.int8)))
-        slip = step.slip + plastic_slip(self.law, found)
-        return Solution(step.system, nodal_table(problem, found.u), found, column, gamma, self.law, slip)
+            step.level.zones.append((self.coarser, ground_contact.state.astype(np.int8)))
+        slip = step.slip + plastic_slip(self.law, ground_contact)
+        return Solution(
+            step.system, nodal_table(problem, ground_contact.u), ground_contact, column, gamma, self.law, slip
+        )
 
 
 def solve_load_step(step: LoadStep, start: Solution | None) -> Solution:
@@ -123,10 +125,10 @@ def solve_load_step(step: LoadStep, start: Solution | None) -> Solution:
     if isinstance(ground, Column):
         column, gamma = ground, None
     else:
-        known = ground.gamma if step.gamma is None else step.gamma
-        if known is None:
+        fixed_gamma = ground.gamma if step.gamma is None else step.gamma
+        if fixed_gamma is None:
             return _iterate_gamma(iteration, ground, start)
-        column, gamma = ground.column(known), known
+        column, gamma = ground.column(fixed_gamma), fixed_gamma
     return iteration.solution(iteration.solve(column, gamma), column, gamma)
 
 
@@ -140,10 +142,10 @@ def _iterate_gamma(iteration: _ContactIteration, soil: Soil, start: Solution | N
     history: list[tuple[float, float]] = []
     while len(history) < MAX_GAMMA_ITERATIONS:
         column = soil.column(gamma, by_table=start is not None or len(history) > 0)
-        found = iteration.solve(column, gamma)
-        U = nodal_table(problem, found.u)
+        ground_contact = iteration.solve(column, gamma)
+        U = nodal_table(problem, ground_contact.u)
         # a plate that its supports carry clear of the ground leaves nothing to find gamma from
-        pushed = found.force[problem.contact.bearing.support < 0].max(initial=0.0)
+        pushed = ground_contact.force[problem.contact.bearing.support < 0].max(initial=0.0)
         touches = (
             pushed > NO_CONTACT * np.abs(step.factor * problem.load[:, W]).max() or not problem.contact.tensionless
         )
@@ -151,7 +153,7 @@ def _iterate_gamma(iteration: _ContactIteration, soil: Soil, start: Solution | N
         history.append((gamma, after))
         change = abs(after - gamma) / max(after, GAMMA_SMALL)
         if change <= tolerance:
-            solution = iteration.solution(found, column, gamma)
+            solution = iteration.solution(ground_contact, column, gamma)
             slope = _slope(history, slope)
             return replace(solution, gamma_change=change, gamma_slope=slope, gamma_iterations=len(history))
         gamma = next_gamma(history, slope)

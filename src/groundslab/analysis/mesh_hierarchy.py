@@ -128,7 +128,7 @@ class Level:
         """Return the states (c,) found for a combination whose states on the coarser mesh hardly differ, if any."""
         alike = [(before, after) for before, after in self.zones if len(before) == len(coarser)]
         counts = [(np.count_nonzero(before != coarser), after) for before, after in alike]
-        rank, state = min(counts, key=lambda each: each[0], default=(np.inf, None))
+        rank, state = min(counts, key=lambda counted: counted[0], default=(np.inf, None))
         return None if state is None or rank > ALIKE else state.astype(np.int64)
 
     def multiple(self, factors: Array) -> list[Solution]:
@@ -221,7 +221,7 @@ class MeshHierarchy:
             if factors.tobytes() in drafted.solved:
                 return drafted.solved[factors.tobytes()].solutions
         starts = [*self.earlier, *level.starts]
-        nearest = min(starts, key=lambda each: float(np.abs(each.factors - factors).sum()), default=None)
+        nearest = min(starts, key=lambda solved: float(np.abs(solved.factors - factors).sum()), default=None)
         return [] if nearest is None else nearest.solutions
 
     def solved(self) -> list[Solved]:

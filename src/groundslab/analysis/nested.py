@@ -130,7 +130,7 @@ def margin_effect(
     margins: Sequence[MeshHierarchy],
     combination: str,
     factors: Array,
-    found: Mapping[int, Sequence[Solution]],
+    by_level: Mapping[int, Sequence[Solution]],
 ) -> float:
     """Return the change of any settlement by a wider margin of infinite ground, over its plate's largest settlement.
 
@@ -138,7 +138,7 @@ def margin_effect(
     may have been found on the way to the finest mesh; else they start from those on that, and have their gammas.
     """
     first, second = margins
-    before = found.get(first.finest) or _solve_from(first, combination, factors, found[min(found)])
+    before = by_level.get(first.finest) or _solve_from(first, combination, factors, by_level[min(by_level)])
     after = _solve_from(second, combination, factors, before)
     narrow, wide = (solutions[-1].U[solutions[-1].system.problem.plate.nodes, W] for solutions in (before, after))
     problem = before[-1].system.problem
@@ -147,16 +147,16 @@ def margin_effect(
 
 
 def _solve_from(
-    hierarchy: MeshHierarchy, combination: str, factors: Array, found: Sequence[Solution]
+    hierarchy: MeshHierarchy, combination: str, factors: Array, earlier: Sequence[Solution]
 ) -> Sequence[Solution]:
     """Return the solutions with the gammas found, started from what is known, if that converges."""
     model = hierarchy.model
     level = hierarchy.level(hierarchy.finest)
     full = _full_load(model, level, factors, _ignore, True)
     matching = hierarchy.matching(combination, full.system) if hierarchy.has_reference(combination) else []
-    gammas = [each.gamma for each in found]
+    gammas = [solution.gamma for solution in earlier]
     with suppress(NotConverged, SingularMatrix):
-        solutions = _solve_increments(full, model, matching or level.multiple(factors) or found, gammas)
+        solutions = _solve_increments(full, model, matching or level.multiple(factors) or earlier, gammas)
         level.keep_for_multiples(Solved(factors, solutions))
         hierarchy.store(combination, solutions)
         return solutions

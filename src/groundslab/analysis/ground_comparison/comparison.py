@@ -179,7 +179,7 @@ def compare_grounds(
     report("continuum")
     variants = Variants(base)
     continuum = _deepest(variants.base)
-    only = _with_only(base, next(each for each in variants.base.combinations if each.name == continuum.combination))
+    only = _with_only(base, next(entry for entry in variants.base.combinations if entry.name == continuum.combination))
     from_soil = _solve_from_soil(variants, only, soil, report)
     fitted, notes = _solve_fitted(variants, only, continuum, from_soil["vlasov"].constants, report)
     solved = {"continuum": continuum} | from_soil | fitted
@@ -248,7 +248,7 @@ def _deepest(results: Results) -> CombinationResult:
     """
     if not results.results:
         raise next(iter([*results.without_equilibrium.values(), *results.refused.values()]))
-    return max(results.values(), key=lambda each: float(each.plate.settlement.max()))
+    return max(results.values(), key=lambda result: float(result.plate.settlement.max()))
 
 
 def _compare(model: Model, solved: dict[str, CombinationResult], notes: tuple[str, ...]) -> GroundComparison:

@@ -104,7 +104,9 @@ def _middle_borehole(model: Model) -> tuple[Borehole, str]:
     """Return the borehole nearest to the plate's middle, and what it is called."""
     x0, x1, y0, y1 = model.plate.bounds
     middle = (x0 + x1) / 2, (y0 + y1) / 2
-    number, hole = min(enumerate(model.boreholes, 1), key=lambda each: math.dist((each[1].x, each[1].y), middle))
+    number, hole = min(
+        enumerate(model.boreholes, 1), key=lambda numbered: math.dist((numbered[1].x, numbered[1].y), middle)
+    )
     return hole, hole.name or f"boreholes[{number}]"
 
 

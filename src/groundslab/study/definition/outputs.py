@@ -283,8 +283,8 @@ def _value_at(results: CombinationResult, output: RequestedOutput) -> float:
     weights, nodes, thickness = q9(local)[0], plate.elements[element], results.elements.thickness[[element]]
     if output.of in _STEEL_FIELDS:
         moments = _design_moments(results)
-        there = DesignMoments(**{layer: weights @ getattr(moments, layer)[nodes] for layer in LAYERS})
-        return float(_required_bars(results, output.of, there, thickness)[0])
+        at_point = DesignMoments(**{layer: weights @ getattr(moments, layer)[nodes] for layer in LAYERS})
+        return float(_required_bars(results, output.of, at_point, thickness)[0])
     fields = {name: weights @ getattr(plate, name)[nodes] for name in PLATE_FIELDS}
     return float(_derive(output.of, fields, thickness)[0])
 
