@@ -101,9 +101,9 @@ def _cut_at(steps: BaseGeometry, ends: Array, axis: int) -> Array:
 
     places, bar = get_coordinates(intersection(linestrings(ends), steps), return_index=True)
     cut = list[Array]()
-    for number, one in enumerate(ends):
-        stops = np.unique([*one[:, axis], *places[bar == number, axis].clip(*one[:, axis])])
-        parts = np.repeat(one[None, :1], len(stops) - 1, axis=0).repeat(2, axis=1)
+    for number, bar_ends in enumerate(ends):
+        stops = np.unique([*bar_ends[:, axis], *places[bar == number, axis].clip(*bar_ends[:, axis])])
+        parts = np.repeat(bar_ends[None, :1], len(stops) - 1, axis=0).repeat(2, axis=1)
         parts[:, :, axis] = np.stack([stops[:-1], stops[1:]], axis=1)
         cut.append(parts[np.diff(stops) > SHORTEST])
     return np.concatenate(cut)

@@ -133,9 +133,9 @@ def error_of_need(combined: Results, steel: Reinforcement, need: BeamNeed) -> fl
 
     def course(mesh: CombinationResult) -> tuple[Array, Array]:
         needs = _needs(mesh, course_of(mesh, member, steel), steel)
-        found = next(each.course for each in needs if each.what == need.what)
-        assert found is not None
-        return found
+        along = next(candidate.course for candidate in needs if candidate.what == need.what)
+        assert along is not None
+        return along
 
     results = combined.results[need.combination]
     half_an_element = float(np.diff(member.forces(results).way).max())  # its places are ends and middles of sides
@@ -195,7 +195,7 @@ def course_of(results: CombinationResult, member: Member, steel: Reinforcement) 
     # the shear force at a support must not exceed V_Rd,max (6.2.1(8))
     strained = webs._replace(V=at_faces) if code.beams.struts_at_faces else webs
     used = code.beams.web(steel, state, strained).used
-    wanted = tuple(np.maximum(each, at_least) for each, at_least in zip(area, least, strict=True))
+    wanted = tuple(np.maximum(of_face, at_least) for of_face, at_least in zip(area, least, strict=True))
     return MemberCourse(
         member,
         results.combination,
@@ -246,9 +246,9 @@ def _needs(results: CombinationResult, course: MemberCourse, steel: Reinforcemen
         yield _flange_need(results, part, course.at_d, share, steel)
 
 
-def _place(own: BeamResult, way: float) -> tuple[float, float]:
+def _place(beam: BeamResult, way: float) -> tuple[float, float]:
     """Return the place so far along a beam [m]."""
-    x, y = (float(np.interp(way, own.way, column)) for column in own.nodes.T)
+    x, y = (float(np.interp(way, beam.way, column)) for column in beam.nodes.T)
     return x, y
 
 
@@ -271,12 +271,12 @@ def _flange_need(
                     float(stress[most]), limit, flange=flange.at(most), course=(part.way, stress))  # fmt: skip
 
 
-def _larger_side(results: CombinationResult, own: BeamResult, section: Section) -> Array:
+def _larger_side(results: CombinationResult, beam: BeamResult, section: Section) -> Array:
     """Return the share (k,) of the flange's width on the plate that lies on the side on which it reaches further."""
     near, far = section.b / 2, max(section.compressed) / 2
     if far <= near:
-        return np.zeros(len(own.way))
-    middle, left = across(own, 1.0)
+        return np.zeros(len(beam.way))
+    middle, left = across(beam, 1.0)
     sides = [
         length_across(results.plate, np.stack([middle + sign * near * left, middle + sign * far * left], axis=1))
         for sign in (1.0, -1.0)

@@ -111,12 +111,12 @@ def bent_bars(model: Model, links: Sequence[LinkLayout] = ()) -> list[BentBar]:
         return []
     rule = None if (detailing := code_of(steel).detailing) is None else detailing.bends
     listed = positions(model)
-    made = [bar for position in listed if not position.mesh for bar in _of_position(position, rule)]
+    bars = [bar for position in listed if not position.mesh for bar in _of_position(position, rule)]
     for mark, layout in marked_links(links, listed).items():
-        made.append(_of_layout(steel, layout, mark, rule))
+        bars.append(_of_layout(steel, layout, mark, rule))
     for mark, laid in marked_further_links(model, links, listed).items():
-        made += _of_links(laid, mark, rule)
-    return made
+        bars += _of_links(laid, mark, rule)
+    return bars
 
 
 def marked_links(links: Sequence[LinkLayout], listed: Sequence[Position]) -> dict[int, LinkLayout]:
@@ -148,8 +148,8 @@ def _of_position(position: Position, rule: BendRule | None) -> Iterator[BentBar]
 
 def _of_layout(steel: Reinforcement, layout: LinkLayout, mark: int, rule: BendRule | None) -> BentBar:
     """Return the legs against punching around one column, pile, zone or end of a wall."""
-    given = steel.links_at(layout.name)
-    if given is not None and given.kind == "studs":
+    laid = steel.links_at(layout.name)
+    if laid is not None and laid.kind == "studs":
         return BentBar(f"{mark}", LINKS, STUD, layout.diameter, layout.number, (round(layout.leg, 3),))
     return _leg(f"{mark}", layout.diameter, layout.number, layout.leg, rule)
 

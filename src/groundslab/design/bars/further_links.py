@@ -119,9 +119,9 @@ def _of_beam(model: Model, steel: Reinforcement, links: BeamLinks) -> Iterator[L
         middle = places[len(places) // 2]
         covers = _covers(steel, middle)
         across, upright = member.width - 2 * min(covers), h - sum(covers)
-        each = 2 * across + links.legs * upright
+        link_length = 2 * across + links.legs * upright
         yield LaidLinks(
-            links.of, "link", links.diameter, links.spacing, len(places), each, middle, None, (across, upright),
+            links.of, "link", links.diameter, links.spacing, len(places), link_length, middle, None, (across, upright),
             links.legs,
         )  # fmt: skip
 
@@ -129,8 +129,8 @@ def _of_beam(model: Model, steel: Reinforcement, links: BeamLinks) -> Iterator[L
 def _thickness_at(model: Model, point: Point) -> float:
     """Return the thickness of the slab at a place [m]: of its last zone there, else its own."""
     plate = model.every_plate[get_plate_region(model.plate, model.plates).plate_at((point.x, point.y))]
-    there = [zone.thickness for zone in plate.zones if polygon_of(zone.shape.ring()).covers(point)]
-    return (there[-1] if there else None) or plate.thickness
+    thicknesses = [zone.thickness for zone in plate.zones if polygon_of(zone.shape.ring()).covers(point)]
+    return (thicknesses[-1] if thicknesses else None) or plate.thickness
 
 
 class _Member(NamedTuple):

@@ -92,7 +92,7 @@ class Member(Protocol):
     def forces(self, results: CombinationResult) -> BeamResult:
         """Return its section forces along it."""
 
-    def section(self, results: CombinationResult, own: BeamResult, steel: Reinforcement) -> Section:
+    def section(self, results: CombinationResult, forces: BeamResult, steel: Reinforcement) -> Section:
         """Return its section at places along it."""
 
     def faces(self, model: Model, length: float) -> list[Faces]:
@@ -110,7 +110,7 @@ def members_of(model: Model) -> tuple[Member, ...]:
         for number, beam in enumerate(model.beams)
         if not isinstance(beam.section, GivenSection)
     ]
-    return *beams, *(StripMember(each) for each in model.output.beams)
+    return *beams, *(StripMember(output_strip) for output_strip in model.output.beams)
 
 
 @dataclass(frozen=True)
@@ -137,27 +137,27 @@ class BeamMember:
 
     def forces(self, results: CombinationResult) -> BeamResult:
         """Return it with M and V of its section: of a rib with what the slab carries over the flange's width."""
-        own, section = results.beams[self.number], self.beam.section
+        forces, section = results.beams[self.number], self.beam.section
         if not isinstance(section, RibSection):
-            return own
-        middle, left = across(own, section.flange_width / 2)
+            return forces
+        middle, left = across(forces, section.flange_width / 2)
         M, T = moments_across(results.plate, np.stack([middle - left, middle + left], axis=1))
         V = np.zeros(len(M))
-        for run in _runs(own):
-            turn = _slope(np.unwrap(np.arctan2(left[run, 1], left[run, 0])), own.way[run])
-            V[run] = _slope(M[run], own.way[run]) - turn * T[run]
-        return replace(own, moment=own.moment + M, shear=own.shear + V)
+        for run in _runs(forces):
+            turn = _slope(np.unwrap(np.arctan2(left[run, 1], left[run, 0])), forces.way[run])
+            V[run] = _slope(M[run], forces.way[run]) - turn * T[run]
+        return replace(forces, moment=forces.moment + M, shear=forces.shear + V)
 
-    def section(self, results: CombinationResult, own: BeamResult, steel: Reinforcement) -> Section:
+    def section(self, results: CombinationResult, forces: BeamResult, steel: Reinforcement) -> Section:
         """Return its section along it; of the plate on both sides the thinner one is its flange."""
         beam, section = self.beam, self.beam.section
         assert not isinstance(section, GivenSection)
         axes = beam.bar_axis or max(steel.bottom_axes), beam.bar_axis or max(steel.top_axes)
         b = section.width
         if not isinstance(section, RibSection):
-            h = np.full(len(own.way), section.height)
+            h = np.full(len(forces.way), section.height)
             return Section(h, b, (b, b), np.inf * h, (h - axes[0], h - axes[1]), beam.bar_diameter)
-        t = thickness_along(results, own)
+        t = thickness_along(results, forces)
         width = section.flange_width
         h = section.height + t
         wide = (width, b) if section.side == "below" else (b, width)
@@ -220,10 +220,10 @@ class StripMember:
             M[inside] = np.interp(f.way[inside], [low, high], np.interp([low, high], f.way, f.moment))
         return replace(f, moment=M)
 
-    def section(self, results: CombinationResult, own: BeamResult, steel: Reinforcement) -> Section:
+    def section(self, results: CombinationResult, forces: BeamResult, steel: Reinforcement) -> Section:
         """Return the plate's section along it, as wide as it is where it is narrowest."""
         cuts = _cuts(results)[self.name]
-        h, b = np.interp(own.way, cuts.s - cuts.s[0], _thickness(results)[self.name]), float(cuts.length.min())
+        h, b = np.interp(forces.way, cuts.s - cuts.s[0], _thickness(results)[self.name]), float(cuts.length.min())
         axes = (getattr(steel, f"{face}_axes")["xy".index(self.axis)] for face in ("bottom", "top"))
         diameters = [bars.diameter for layer in self.layers for bars in bars_of(steel, layer)] if steel.laid else []
         below, above = axes
@@ -239,13 +239,13 @@ class StripMember:
 
     def twisted(self, model: Model, way: Array) -> Flags:
         """Return where along it (k,) [m] no other strip crosses it."""
-        own = np.ones(len(way), dtype=bool)
+        uncrossed = np.ones(len(way), dtype=bool)
         for other in model.output.beams:
             met = self.strip.area().intersection(other.area())
             if other is not self.strip and met.area > 0:
                 low, high = self._ways(met)
-                own &= (way <= low + SAME) | (way >= high - SAME)
-        return own
+                uncrossed &= (way <= low + SAME) | (way >= high - SAME)
+        return uncrossed
 
     def nodes(self, nodes: Array) -> tuple[Integers, Array]:
         """Return which nodes (n, 2) [m] lie in it (k,), and how far along it they are (k,) [m]."""
@@ -293,7 +293,7 @@ def _bearing(model: Model, chord: float) -> Iterator[BaseGeometry]:
 
 def member_forces(results: CombinationResult) -> tuple[BeamResult, ...]:
     """Return the section forces of beams and walls with a height, and of strips that are beams, along each."""
-    return *results.beams, *(strip_forces(results, each) for each in results.model.output.beams)
+    return *results.beams, *(strip_forces(results, output_strip) for output_strip in results.model.output.beams)
 
 
 def strip_forces(results: CombinationResult, asked: OutputStrip) -> BeamResult:
@@ -310,12 +310,12 @@ def strip_forces(results: CombinationResult, asked: OutputStrip) -> BeamResult:
 def _cuts(results: CombinationResult) -> dict[str, StripResult]:
     """Return the cuts across the strips that are beams, by their names."""
     t = min(plate.thickness for plate in results.model.every_plate)
-    found = dict[str, StripResult]()
-    for each in results.model.output.beams:
-        length = float(np.hypot(*np.subtract(each.end, each.start)))
-        count = int(np.clip(PER_THICKNESS * length / t, each.stations, MOST_CUTS)) + 1
-        found[each.name] = strip(results.plate, each.start, each.end, each.width, count)
-    return found
+    cuts = dict[str, StripResult]()
+    for output_strip in results.model.output.beams:
+        length = float(np.hypot(*np.subtract(output_strip.end, output_strip.start)))
+        count = int(np.clip(PER_THICKNESS * length / t, output_strip.stations, MOST_CUTS)) + 1
+        cuts[output_strip.name] = strip(results.plate, output_strip.start, output_strip.end, output_strip.width, count)
+    return cuts
 
 
 @made_once_by(lambda results: (results.plate.nodes, results.plate.elements))
@@ -327,21 +327,23 @@ def _thickness(results: CombinationResult) -> dict[str, Array]:
     from scipy.ndimage import minimum_filter1d
 
     return {
-        each.name: minimum_filter1d(thickness_along(results, strip_forces(results, each)), 3, mode="nearest")
-        for each in results.model.output.beams
+        output_strip.name: minimum_filter1d(
+            thickness_along(results, strip_forces(results, output_strip)), 3, mode="nearest"
+        )
+        for output_strip in results.model.output.beams
     }
 
 
-def thickness_along(results: CombinationResult, own: BeamResult) -> Array:
+def thickness_along(results: CombinationResult, beam: BeamResult) -> Array:
     """Return the thickness of the plate along a beam (k,) [m], of both sides the less.
 
     Where it jumps, the first of the two places there belongs to what comes before.
     """
     mesh = Mesh(results.plate.nodes, results.plate.elements)
-    way = np.diff(own.nodes, axis=0)
+    way = np.diff(beam.nodes, axis=0)
     length = np.linalg.norm(way, axis=1)
     between = np.flatnonzero(length > 0)
-    middle = (own.nodes[between] + own.nodes[between + 1]) / 2
+    middle = (beam.nodes[between] + beam.nodes[between + 1]) / 2
     beside = BESIDE * np.stack([-way[between, 1], way[between, 0]], axis=1)
     thinnest = np.full(len(length), np.inf)
     for places in (middle + beside, middle - beside):
@@ -354,22 +356,22 @@ def thickness_along(results: CombinationResult, own: BeamResult) -> Array:
     return np.where(goes_on, after, before)
 
 
-def across(own: BeamResult, distance: float) -> tuple[Array, Array]:
+def across(beam: BeamResult, distance: float) -> tuple[Array, Array]:
     """Return places along a beam (k, 2) [m], and vectors so long [m] to its left (k, 2).
 
     They are off the lines at which what the slab carries may jump.
     """
-    middle, left = own.nodes.copy(), np.zeros_like(own.nodes)
-    for run in _runs(own):
-        along = _slope(own.nodes[run], own.way[run])
+    middle, left = beam.nodes.copy(), np.zeros_like(beam.nodes)
+    for run in _runs(beam):
+        along = _slope(beam.nodes[run], beam.way[run])
         left[run] = distance * np.column_stack([-along[:, 1], along[:, 0]]) / np.linalg.norm(along, axis=1)[:, None]
         middle[run[[0, -1]]] += INSIDE * (middle[run[[1, -2]]] - middle[run[[0, -1]]])
     return middle, left
 
 
-def _runs(own: BeamResult) -> list[Integers]:
+def _runs(beam: BeamResult) -> list[Integers]:
     """Return the places between which section forces are smooth."""
-    return np.split(np.arange(len(own.way)), np.flatnonzero(np.diff(own.way) <= SAME * own.way[-1]) + 1)
+    return np.split(np.arange(len(beam.way)), np.flatnonzero(np.diff(beam.way) <= SAME * beam.way[-1]) + 1)
 
 
 def _slope(values: Array, way: Array) -> Array:

@@ -86,8 +86,8 @@ def pit_wall_needs(combined: Results, steel: Reinforcement) -> list[PitWallNeed]
     """
     results, needs = ultimate_results(combined), list[PitWallNeed]()
     for pit in pit_names(combined) if results else ():
-        found = [need for result in results for need in _needs(result, steel, pit)]
-        needs += [max(found, key=lambda need: (need.area, need.design_moment))] if found else []
+        of_pit = [need for result in results for need in _needs(result, steel, pit)]
+        needs += [max(of_pit, key=lambda need: (need.area, need.design_moment))] if of_pit else []
     return needs
 
 

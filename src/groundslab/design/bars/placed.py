@@ -59,23 +59,32 @@ def placed_bars(model: Model, links: Sequence[LinkLayout] = ()) -> list[PlacedBa
     bent: dict[int, list[BentBar]] = {}
     for bar in bent_bars(model, links):
         bent.setdefault(int(bar.mark.partition("-")[0]), []).append(bar)
-    made = [
-        one for bar_set in bar_sets(model) if not bar_set.mesh for one in _straight(model, steel, bar_set, listed, bent)
+    placed = [
+        piece
+        for bar_set in bar_sets(model)
+        if not bar_set.mesh
+        for piece in _straight(model, steel, bar_set, listed, bent)
     ]
-    made += [one for position in listed if position.shape == U_SHAPE for one in _at_edges(model, steel, position, bent)]
+    placed += [
+        piece for position in listed if position.shape == U_SHAPE for piece in _at_edges(model, steel, position, bent)
+    ]
     for mark, layout in marked_links(links, listed).items():
-        made += _legs(steel, layout, bent[mark][0])
-    return made
+        placed += _legs(steel, layout, bent[mark][0])
+    return placed
 
 
 def _straight(
     model: Model, steel: Reinforcement, bar_set: BarSet, listed: Sequence[Position], bent: Bent
 ) -> Iterator[PlacedBar]:
     """Yield the bars of a set, each piece by itself."""
-    own = [one for one in listed if (one.layer, one.zone, one.shape) == (bar_set.layer, bar_set.zone, STRAIGHT)]
-    alike = [bar for one in own for bar in bent[one.mark]]
+    of_set = [
+        position
+        for position in listed
+        if (position.layer, position.zone, position.shape) == (bar_set.layer, bar_set.zone, STRAIGHT)
+    ]
+    alike = [bar for position in of_set for bar in bent[position.mark]]
     axis, off = bar_set.axis, axis_of(steel, bar_set.layer)
-    detailing, lap = steel.detailing, next((one.lap for one in own if one.lap is not None), 0.0)
+    detailing, lap = steel.detailing, next((position.lap for position in of_set if position.lap is not None), 0.0)
     ends = bar_set.ends.copy()
     if detailing is not None:
         cover = off - bar_set.bars.diameter / 2
@@ -83,12 +92,12 @@ def _straight(
     slabs = list(_slabs(model))
     for bar in ends[ends[:, 1, axis] > ends[:, 0, axis]]:
         length = float(bar[1, axis] - bar[0, axis])
-        count, each = (1, length) if detailing is None else cut(length, detailing.bar_length, lap)
-        cut_bar = min(alike, key=lambda one: abs(one.length - each))
+        count, piece_length = (1, length) if detailing is None else cut(length, detailing.bar_length, lap)
+        cut_bar = min(alike, key=lambda bent_bar: abs(bent_bar.length - piece_length))
         height = _height(slabs, bar, bar_set.layer, off)
         for number in range(count):
             corners = np.column_stack([bar, [height, height]])
-            corners[:, axis] = bar[0, axis] + number * (each - lap) + np.array([0.0, each])
+            corners[:, axis] = bar[0, axis] + number * (piece_length - lap) + np.array([0.0, piece_length])
             corners[:, 1 - axis] += number % 2 * bar_set.bars.diameter
             yield PlacedBar(cut_bar, corners)
 
@@ -112,9 +121,9 @@ def _height(slabs: Sequence[tuple[BaseGeometry, float, float]], bar: Array, laye
     line = LineString(bar)
     shares = [(line.intersection(part).length, level, thickness) for part, thickness, level in slabs]
     met = [(level, thickness) for share, level, thickness in shares if share > 1e-6] or [
-        min(((level, thickness) for _, level, thickness in shares), key=lambda one: one[1])
+        min(((level, thickness) for _, level, thickness in shares), key=lambda slab: slab[1])
     ]
-    level, thickness = max(met, key=lambda one: one[0] - one[1])
+    level, thickness = max(met, key=lambda slab: slab[0] - slab[1])
     return level - off if layer.startswith("top") else level - thickness + off
 
 

@@ -155,8 +155,8 @@ def _cut_all(model: Model, steel: Reinforcement, detailing: Detailing, bar_set: 
     lap = lap_of(model, steel, bar_set.layer, bar_set.bars, rule)
     pieces = [cut(float(length), detailing.bar_length, lap) for length in lengths[lengths > 0]]
     counts = np.array([count for count, _ in pieces], dtype=int)
-    each = np.array([length for _, length in pieces])
-    return np.repeat(each, counts), lap if (counts > 1).any() else None
+    piece_lengths = np.array([length for _, length in pieces])
+    return np.repeat(piece_lengths, counts), lap if (counts > 1).any() else None
 
 
 def at_edge(model: Model, ends: Array) -> Flags:

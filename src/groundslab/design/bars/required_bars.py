@@ -191,7 +191,7 @@ def _need(
         for peak, d, d_2 in zip(moments, depths, (crossing, here), strict=True)
     )
     areas = {MINIMUM: near.minimum, MOMENT: near.tension, COMPRESSION: other.compression}
-    area, governed_by = max(((float(value), name) for name, value in areas.items()), key=lambda one: one[0])
+    area, governed_by = max(((float(value), name) for name, value in areas.items()), key=lambda cause: cause[0])
     face = 1 if governed_by == COMPRESSION else 0
     if np.isinf(area):
         # of two faces that are both too weak, the one that is so by more is named

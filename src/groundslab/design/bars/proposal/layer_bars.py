@@ -118,8 +118,8 @@ class LayerProposal:
         """Return all bars in rectangles by the names of these, with that of the layer."""
         words = layer.replace("_", " ")
         several = len(self.part) > 1
-        of_part = {f"{words} base {n}" if several else f"{words} base": each for n, each in enumerate(self.part, 1)}
-        return of_part | {f"{words} {n}": each for n, each in enumerate(self.zones, 1)}
+        of_part = {f"{words} base {n}" if several else f"{words} base": placed for n, placed in enumerate(self.part, 1)}
+        return of_part | {f"{words} {n}": placed for n, placed in enumerate(self.zones, 1)}
 
 
 @dataclass(frozen=True, slots=True)
@@ -158,20 +158,20 @@ def propose_layer(task: LayerTask, steel: Reinforcement, rule: DetailingRule) ->
     price = steel.proposal.least_saving * min((candidate.lowest for candidate in candidates), default=0.0)
 
     def best(of: list[_Candidate], blocks: int, number: int) -> list[tuple[float, _Candidate, list[Zone]]]:
-        found = list[tuple[float, _Candidate, list[Zone]]]()
-        for candidate in sorted(of, key=lambda one: one.lowest):
-            if len(found) == number and candidate.lowest >= found[-1][0] * (1 - ROUNDING):
+        cheapest = list[tuple[float, _Candidate, list[Zone]]]()
+        for candidate in sorted(of, key=lambda trial: trial.lowest):
+            if len(cheapest) == number and candidate.lowest >= cheapest[-1][0] * (1 - ROUNDING):
                 break
             parts = 0 if candidate.part is None else candidate.part.count(candidate.field)
             if parts > most:
                 continue
             without_zones = candidate.of_base + price * parts
-            limit = found[-1][0] - without_zones if len(found) == number else math.inf
+            limit = cheapest[-1][0] - without_zones if len(cheapest) == number else math.inf
             zones = cover(candidate.field, candidate.options, most - parts, price, blocks, limit)
             if zones is not None:
                 cost = candidate.of_base + sum(zone.steel + price * zone.count for zone in zones) + price * parts
-                found = sorted([*found, (cost, candidate, zones)], key=lambda one: one[0])[:number]
-        return found
+                cheapest = sorted([*cheapest, (cost, candidate, zones)], key=lambda costed: costed[0])[:number]
+        return cheapest
 
     coarse = best(candidates, COARSE, BEST)
     for _, candidate, zones in best([candidate for _, candidate, _ in coarse], FINE, 1):
@@ -203,7 +203,7 @@ def _candidates(task: LayerTask, steel: Reinforcement, rule: DetailingRule) -> I
     bases = list(_bases(task, steel, rule))
     enough = [base for base in bases if bar_area(base) >= task.least * (1 - ROUNDING)]
     needs_of = cache(partial(_needs, task, rule=rule))
-    tried = [each for base in enough or bases for each in _with_base(task, base, needs_of)]
+    tried = [attempt for base in enough or bases for attempt in _with_base(task, base, needs_of)]
     for base, thickest, _, field in tried:
         additions = [bars for bars in _additions(task, base, MULTIPLES, rule, steel) if bars.diameter <= thickest]
         if _most(additions) * (1 + ROUNDING) >= field.excess.max():
@@ -211,7 +211,7 @@ def _candidates(task: LayerTask, steel: Reinforcement, rule: DetailingRule) -> I
             yield _Candidate(base, field, tuple(additions), options)
     for over in OVER:
         with_parts = _with_parts(task, tried, steel, rule, over)
-        yield from heapq.nsmallest(MOST_PARTS, with_parts, key=lambda each: each.expected(over))
+        yield from heapq.nsmallest(MOST_PARTS, with_parts, key=lambda candidate: candidate.expected(over))
 
 
 class _Needs(NamedTuple):

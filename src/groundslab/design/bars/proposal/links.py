@@ -59,8 +59,8 @@ def punching_links(combined: Results) -> tuple[LinkLayout, ...]:
     diameters = allowed_bars(steel.proposal, combined.model.units).link_diameters
     return tuple(
         lay_links(demand, diameters, covers)
-        if (given := steel.links_at(demand.name)) is None
-        else lay_given_links(demand, given, covers)
+        if (laid := steel.links_at(demand.name)) is None
+        else lay_given_links(demand, laid, covers)
         for support in punching_supports(combined)
         for demand in rule.links(combined, steel, support, rule.demands_of(combined, support))
     )
@@ -84,7 +84,7 @@ def needs_of_links(combined: Results) -> NeedsOfLinks:
     areas, names = {layer: np.zeros(len(nodes)) for layer in LAYERS}, list[str]()
     if steel is None or rule is None or rule.bars_for_links is None:
         return NeedsOfLinks(areas, ())
-    for support in (each for each in punching_supports(combined) if each in ("column", "pile")):
+    for support in (kind for kind in punching_supports(combined) if kind in ("column", "pile")):
         forces = {force.name: force for force in forces_that_punch(combined, support)}
         for asked in rule.bars_for_links(steel, support, rule.demands_of(combined, support)):
             x0, x1, y0, y1 = forces[asked.name].column.ring().bounds

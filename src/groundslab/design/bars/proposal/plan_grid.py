@@ -166,9 +166,9 @@ def symmetric_axes(plan: BaseGeometry, plate: PlateResult, needs: Mapping[str, A
         where = locate_nearest(mesh, middle + turn * (plate.nodes - middle))
         return {layer: grows_little(here, interpolate_bilinear(mesh, here, where)) for layer, here in needs.items()}
 
-    def grows_little(here: Array, there: Array) -> bool:
+    def grows_little(here: Array, mirrored: Array) -> bool:
         floor = np.average(here, weights=plate.area) * (1 + ON_LINE)
-        above, of_image = (np.maximum(values - floor, 0.0) for values in (here, there))
+        above, of_image = (np.maximum(values - floor, 0.0) for values in (here, mirrored))
         both = (np.maximum(above, of_image) * plate.area).sum()
         return bool(both <= (1 + SYMMETRIC) * (above * plate.area).sum())
 

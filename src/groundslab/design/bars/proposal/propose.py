@@ -105,12 +105,12 @@ def propose_in_layers(results: Results) -> BarProposal:
             if proposed is None and with_fewer is not None:
                 return with_fewer
             layers[layer] = proposed or _refuse(layer, needs[layer], plate.nodes, steel, rule)
-        found = _with_bars(steel, layers)
-        more = _requirements(results, found)
-        deeper = {layer: max(axes[layer], axis_of(found, layer)) for layer in LAYERS}
-        if _enough(found, more, plate.nodes) and (_near(found, rule) or deeper == axes):
-            laid = _laid(results, found)
-            proposal = _proposal(laid, found, more, [*remarks, *_remarks(results, rule), *for_links])
+        reinforcement = _with_bars(steel, layers)
+        more = _requirements(results, reinforcement)
+        deeper = {layer: max(axes[layer], axis_of(reinforcement, layer)) for layer in LAYERS}
+        if _enough(reinforcement, more, plate.nodes) and (_near(reinforcement, rule) or deeper == axes):
+            laid = _laid(results, reinforcement)
+            proposal = _proposal(laid, reinforcement, more, [*remarks, *_remarks(results, rule), *for_links])
             # what punches depends on bars, not on links: it is found once for both
             if with_fewer is not None or not (asked := needs_of_links(laid)).of:
                 return proposal
@@ -163,17 +163,18 @@ def _no_limit(_: float) -> float:
     return math.inf
 
 
-def _enough(found: Reinforcement, needs: dict[str, Array], nodes: Array) -> bool:
+def _enough(reinforcement: Reinforcement, needs: dict[str, Array], nodes: Array) -> bool:
     """Return whether bars are as much as is needed (n,) [m2/m] by layer."""
-    laid = {layer: laid_bars(found, layer, nodes) for layer in LAYERS}
+    laid = {layer: laid_bars(reinforcement, layer, nodes) for layer in LAYERS}
     return all((needs[layer] <= laid[layer].area * (1 + ROUNDING)).all() for layer in LAYERS)
 
 
-def _near(found: Reinforcement, rule: DetailingRule) -> bool:
+def _near(reinforcement: Reinforcement, rule: DetailingRule) -> bool:
     """Return whether the bars of all bases are near enough for cracks where they lie."""
-    bases = {layer: found.base_bars(layer) for layer in LAYERS}
+    bases = {layer: reinforcement.base_bars(layer) for layer in LAYERS}
     return all(
-        bars is None or bars.spacing <= _farthest(found, rule, axis_of(found, layer), bars.diameter) + ROUNDING
+        bars is None
+        or bars.spacing <= _farthest(reinforcement, rule, axis_of(reinforcement, layer), bars.diameter) + ROUNDING
         for layer, bars in bases.items()
     )
 
@@ -345,15 +346,17 @@ def _with_bars(steel: Reinforcement, layers: dict[str, LayerProposal]) -> Reinfo
     return steel.model_copy(update=changes | cleared)
 
 
-def _laid(results: Results, found: Reinforcement) -> Results:
+def _laid(results: Results, reinforcement: Reinforcement) -> Results:
     """Return results with the bars that were found, and with what the case allows as it is written."""
     steel = results.model.reinforcement
     assert steel is not None
-    changed = {"reinforcement": found.replace(proposal=steel.proposal)}
+    changed = {"reinforcement": reinforcement.replace(proposal=steel.proposal)}
     return replace(results, model=results.model.model_copy(update=changed))
 
 
-def _proposal(results: Results, found: Reinforcement, needs: dict[str, Array], remarks: list[str]) -> BarProposal:
+def _proposal(
+    results: Results, reinforcement: Reinforcement, needs: dict[str, Array], remarks: list[str]
+) -> BarProposal:
     """Return the proposal with its steel, from results with the bars that were found."""
     plate, model = ultimate_results(results)[0].plate, results.model
     steel = model.reinforcement
@@ -361,18 +364,18 @@ def _proposal(results: Results, found: Reinforcement, needs: dict[str, Array], r
     region = get_plate_region(model.plate, model.plates)
     laid = {}
     for layer in LAYERS:
-        base = found.base_bars(layer)
+        base = reinforcement.base_bars(layer)
         assert base is not None
         laid[layer] = bar_area(base) * float(region.area.area)
-        for zone in found.zones:
+        for zone in reinforcement.zones:
             if layer in zone.layers:
                 laid[layer] += bar_area(zone.bars) * float(polygon_of(zone.shape.ring()).intersection(region.area).area)
     required = {layer: float((needs[layer] * plate.area).sum()) for layer in LAYERS}
-    least = _least_areas(ultimate_results(results)[0], found)
+    least = _least_areas(ultimate_results(results)[0], reinforcement)
     with_least = {layer: float((np.maximum(needs[layer], least[layer]) * plate.area).sum()) for layer in LAYERS}
     off = [check for check in model.checks.off if any(check.covers(name, check.of) for name in PUNCHING)]
     links = [layout for layout in punching_links(results) if not any(check.of in ("", layout.name) for check in off)]
-    given = [
+    around = [
         PunchingLinks(
             of=layout.name,
             diameter=layout.diameter,
@@ -382,10 +385,10 @@ def _proposal(results: Results, found: Reinforcement, needs: dict[str, Array], r
         for layout in links
         if layout.perimeters
     ]
-    along = list(beam_links(results, found.proposal.link_diameters))
+    along = list(beam_links(results, reinforcement.proposal.link_diameters))
     remarks = remarks + [why for why in along if isinstance(why, Message)]
     of_beams = tuple(links for links in along if isinstance(links, BeamLinks))
-    with_links = found.replace(links=tuple(given), beam_links=of_beams, proposal=steel.proposal)
+    with_links = reinforcement.replace(links=tuple(around), beam_links=of_beams, proposal=steel.proposal)
     model = model.model_copy(update={"reinforcement": with_links})
     return BarProposal(model, required, with_least, laid, tuple(links), tuple(remarks))
 
