@@ -210,17 +210,17 @@ def _of_what(check: DesignCheck) -> str:
 
 def _off_in_vain(off: Sequence[CheckOff], checks: Sequence[DesignCheck]) -> Iterator[DesignCheck]:
     """Yield what is switched off though no check has its name, or is of what it names."""
-    for number, each in enumerate(off, 1):
-        covered = [check for check in checks if each.covers(check.name, check.of)]
+    for number, entry in enumerate(off, 1):
+        covered = [check for check in checks if entry.covers(check.name, check.of)]
         if any(check.off is not None for check in covered):
             continue
-        called = quoted([each.check]) if not each.of else joined([quoted([each.check]), quoted([each.of])])
+        called = quoted([entry.check]) if not entry.of else joined([quoted([entry.check]), quoted([entry.of])])
         words = Message(
             "checks.off[{number}] switches nothing off: {called} is of the worst of several; leave of out",
             number=number, called=called,
         )  # fmt: skip
         if not covered:
-            same = [check.of for check in checks if check.of and each.replace(of=None).covers(check.name, "")]
+            same = [check.of for check in checks if check.of and entry.replace(of=None).covers(check.name, "")]
             words = Message(
                 "checks.off[{number}] switches nothing off: no check is called {called}; there are {names}",
                 number=number, called=called,

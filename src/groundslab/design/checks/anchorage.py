@@ -69,7 +69,7 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
             for zone in zones
             for part in ending
         ]
-        developed = np.sum([each.area for each in sets], axis=0)
+        developed = np.sum([bar_set.area for bar_set in sets], axis=0)
         # bars that are too few by themselves are told by the check of areas
         judged = (needed > 0) & (needed <= laid.area)
         used = np.divide(needed, developed, out=np.full(len(needed), np.inf), where=developed > 0)
@@ -86,7 +86,7 @@ def _check(used: float, node: int, ending: _Layer, needed: Array, sets: list[_De
     holds = used <= 1 + ROUNDING
     clauses = f"{ending.rule.clauses['anchorage']}, {ending.rule.clauses['shift']}"
     name, place = ending.name.replace("_", " "), place_of(ending.nodes, node)
-    developed = float(sum(each.area[node] for each in sets))
+    developed = float(sum(bar_set.area[node] for bar_set in sets))
     words = Message(
         "{layer}: {needed:.4g (cm2/m)} {sign} {developed:.4g cm2/m} of developed bars at {place:.3f m} ({clause})",
         layer=name,
@@ -100,29 +100,29 @@ def _check(used: float, node: int, ending: _Layer, needed: Array, sets: list[_De
         NAME, "no failure found" if holds else "fails", words, of=name,
         demand=float(needed[node]) * CM2, resistance=developed * CM2, unit="cm2/m",
         clause=f"{code_of(ending.steel).name} {clauses}", place=place,
-        steps=tuple(_steps(ending, float(needed[node]), [each for each in sets if each.to_end[node] >= 0], node)),
+        steps=tuple(_steps(ending, float(needed[node]), [bars for bars in sets if bars.to_end[node] >= 0], node)),
     )  # fmt: skip
 
 
 def _steps(ending: _Layer, needed: float, sets: list[_Developed], node: int) -> Iterator[Step]:
     """Yield how much of each set of bars (one at least) is developed at a node where an area is needed [m2/m]."""
     clauses, names = ending.rule.clauses, list[str]()
-    for n, each in enumerate(sets, 1):
-        yield Step(Message("diameter of bars {n}", n=n), f"phi_{n}", each.bars.diameter, "m")
-        yield Step(Message("distance of bars {n}", n=n), f"s_{n}", each.bars.spacing, "m")
-        area, formula = bar_area(each.bars) * CM2, f"pi / 4 * phi_{n}^2 / s_{n} * 10000"
+    for n, bar_set in enumerate(sets, 1):
+        yield Step(Message("diameter of bars {n}", n=n), f"phi_{n}", bar_set.bars.diameter, "m")
+        yield Step(Message("distance of bars {n}", n=n), f"s_{n}", bar_set.bars.spacing, "m")
+        area, formula = bar_area(bar_set.bars) * CM2, f"pi / 4 * phi_{n}^2 / s_{n} * 10000"
         yield Step(Message("area of bars {n}", n=n), f"A_{n}", area, "cm2/m", formula)
         names.append(f"A_{n}")
-        if each.ending is None or each.shift is None or not np.isfinite(each.to_end[node]):
+        if bar_set.ending is None or bar_set.shift is None or not np.isfinite(bar_set.to_end[node]):
             continue  # held at edges
-        yield Step(Message("distance to the nearer end of bars {n}", n=n), f"x_{n}", float(each.to_end[node]), "m")
+        yield Step(Message("distance to the nearer end of bars {n}", n=n), f"x_{n}", float(bar_set.to_end[node]), "m")
         words = Message("shift of moments for bars {n}", n=n)
-        yield Step(words, f"a_l,{n}", float(each.shift[node]), "m", clause=clauses["shift"])
-        yield from ending.rule.anchorage_steps(ending.steel, each.ending, n)
+        yield Step(words, f"a_l,{n}", float(bar_set.shift[node]), "m", clause=clauses["shift"])
+        yield from ending.rule.anchorage_steps(ending.steel, bar_set.ending, n)
         words, names[-1] = Message("what is developed of bars {n}", n=n), f"A_d,{n}"
         formula = f"A_{n} * max(0, min(1, (x_{n} - a_l,{n}) / l_b,{n}))"
-        yield Step(words, f"A_d,{n}", float(each.area[node]) * CM2, "cm2/m", formula, clauses["anchorage"])
-    developed = float(sum(each.area[node] for each in sets)) * CM2
+        yield Step(words, f"A_d,{n}", float(bar_set.area[node]) * CM2, "cm2/m", formula, clauses["anchorage"])
+    developed = float(sum(bar_set.area[node] for bar_set in sets)) * CM2
     yield Step("area of developed bars", "A_d", developed, "cm2/m", " + ".join(names))
     yield Step("required area", "A_req", needed * CM2, "cm2/m")
     if developed > 0:
@@ -184,16 +184,18 @@ class _Layer(NamedTuple):
 
 
 def _to_ends(
-    slab: BaseGeometry, region: BaseGeometry, layer: str, nodes: Array, there: Flags
+    slab: BaseGeometry, region: BaseGeometry, layer: str, nodes: Array, at_level: Flags
 ) -> tuple[Integers, tuple[Array, Flags], tuple[Array, Flags]]:
     """Return the nodes in a region (k,), how far bars go on on both sides [m], and whether to the slab's edge.
 
-    Only nodes that are there (n,) count.
+    Only nodes at its level (n,) count.
     """
     from shapely import distance, get_coordinates, get_parts, intersection, length, linestrings, points
 
     axis = "xy".index(layer[-1])
-    near = (distance(points(nodes), region) <= OFF_CHORD) & there if region.area else np.zeros(len(nodes), dtype=bool)
+    near = (
+        (distance(points(nodes), region) <= OFF_CHORD) & at_level if region.area else np.zeros(len(nodes), dtype=bool)
+    )
     inside = np.flatnonzero(near)
     if not len(inside):
         nothing = np.empty(0), np.empty(0, dtype=bool)

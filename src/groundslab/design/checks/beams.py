@@ -57,10 +57,10 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
         return
     rule, off = code.beams, combined.model.checks.off
     every = courses(combined, steel)
-    links = [found for course in every if steel.links_along(course.member.name) or (steel.laid and _is_strip(course))
-             for found in _links(combined.results[course.combination], course, steel, rule)]  # fmt: skip
-    bars = [found for course in every if steel.laid and _is_strip(course)
-            for found in _bars(combined.results[course.combination], course, steel, rule)]  # fmt: skip
+    links = [judgment for course in every if steel.links_along(course.member.name) or (steel.laid and _is_strip(course))
+             for judgment in _links(combined.results[course.combination], course, steel, rule)]  # fmt: skip
+    bars = [judgment for course in every if steel.laid and _is_strip(course)
+            for judgment in _bars(combined.results[course.combination], course, steel, rule)]  # fmt: skip
     unknown = "" if rule.link_distances is not None else "how far they may be from each other is not known here"
     for name, judged, find, clauses, doubt in (
         (LINKS, links, _links, f"{rule.web_clauses}, {rule.distance_clauses}".rstrip(", "), unknown),
@@ -69,7 +69,7 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
         if judged:
             error = partial(_error, combined, steel, rule, find)
             judge = partial(_worst, name, f"{code.name} {clauses}", doubt, error)
-            yield from judge_apart(judged, lambda found: found.member, off, judge)
+            yield from judge_apart(judged, lambda judgment: judgment.member, off, judge)
 
 
 def _is_strip(course: MemberCourse) -> bool:
@@ -83,7 +83,7 @@ def _error(combined: Results, steel: Reinforcement, rule: BeamRule, find: Find, 
 
     def along(mesh: CombinationResult) -> tuple[Array, Array]:
         judged = find(mesh, course_of(mesh, member, steel), steel, rule)
-        return next(found.along for found in judged if found.limit.what == worst.limit.what)
+        return next(judgment.along for judgment in judged if judgment.limit.what == worst.limit.what)
 
     results = combined.results[worst.combination]
     return error_along(results, along, float(np.diff(worst.along[0]).max()))
@@ -93,7 +93,7 @@ def _worst(
     name: str, clauses: str, doubt: str, error_of: Callable[[Judged], float | None], judged: list[Judged]
 ) -> Iterator[DesignCheck]:
     """Yield the check of what is used most."""
-    worst = max(judged, key=lambda found: found.limit.used)
+    worst = max(judged, key=lambda judgment: judgment.limit.used)
     limit = worst.limit
     holds = limit.used <= 1 + ROUNDING
     template = "{name}, {way:.2f m} from its start: {what} {value} {sign} {limit} ({clause})"
@@ -104,12 +104,12 @@ def _worst(
     )  # fmt: skip
     if doubt:
         words += Message("; {doubt}", doubt=doubt)
-    known = limit.limit > 0 and np.isfinite(limit.value)
+    finite = limit.limit > 0 and np.isfinite(limit.value)
     yield DesignCheck(
         name, "fails" if not holds else "attention" if doubt else "no failure found", words, of=worst.member,
-        demand=limit.value if known else None, resistance=limit.limit if known else None, unit=limit.unit,
+        demand=limit.value if finite else None, resistance=limit.limit if finite else None, unit=limit.unit,
         combination=worst.combination, place=worst.place, clause=clauses,
-        error=scaled(error_of(worst), limit.limit) if known else None,
+        error=scaled(error_of(worst), limit.limit) if finite else None,
     )  # fmt: skip
 
 
@@ -128,10 +128,10 @@ def _links(results: CombinationResult, course: MemberCourse, steel: Reinforcemen
     way = course.part.way
     area, legs = np.zeros(len(way)), np.full(len(way), 2)
     apart, across = np.zeros(len(way)), np.zeros(len(way))
-    for given in steel.links_along(course.member.name):
-        there = (way >= given.start) & (way <= (np.inf if given.end is None else given.end))
-        area[there], legs[there], apart[there] = given.area, given.legs, given.spacing
-        across[there] = course.legs_apart(steel, given.diameter, given.legs)
+    for links in steel.links_along(course.member.name):
+        within = (way >= links.start) & (way <= (np.inf if links.end is None else links.end))
+        area[within], legs[within], apart[within] = links.area, links.legs, links.spacing
+        across[within] = course.legs_apart(steel, links.diameter, links.legs)
     needed = course.web.links_of(legs)
     yield _judged(course, way, "links", needed * CM2, area * CM2, "cm2/m", rule.web_clauses)
     if rule.link_distances is not None and area.any():

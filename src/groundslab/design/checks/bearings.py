@@ -49,7 +49,7 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
     results = [result for result in solved_results(combined) if result.limit_state not in SERVICEABILITY]
     pulls = [(-_carried_by_edges(result), result) for result in results]
     parts = list(_pulls_in_part(results))
-    pull, worst = max(pulls, key=lambda each: each[0], default=(0.0, None))
+    pull, worst = max(pulls, key=lambda pulling: pulling[0], default=(0.0, None))
     if worst is not None and pull > NOTHING * abs(worst.certificate.load):
         words = Message(
             'supported edges hold the plate down with {pull:.4g kN} in "{combination}"',

@@ -71,20 +71,20 @@ def _failure(combined: Results, combination: Combination) -> DesignCheck:
     return DesignCheck(name, "fails", words, clause=clause, foundation=True, **about)
 
 
-def _balanced(combined: Results, made: list[Combination]) -> DesignCheck:
+def _balanced(combined: Results, combinations: list[Combination]) -> DesignCheck:
     """Return the check that no combination lacks equilibrium, in which ground that pulls counts for nothing."""
-    name, clause = _CHECKS[made[0].limit_state]
-    solved = [combination for combination in made if combination.name in combined.results]
-    numbers = _uplift(combined, solved) if made[0].limit_state == "uplift" else {}
+    name, clause = _CHECKS[combinations[0].limit_state]
+    solved = [combination for combination in combinations if combination.name in combined.results]
+    numbers = _uplift(combined, solved) if combinations[0].limit_state == "uplift" else {}
     names = [combination.name for combination in solved]
-    words: str = Message("all {number} combinations are in equilibrium", number=len(made))
-    if len(made) == 1:
+    words: str = Message("all {number} combinations are in equilibrium", number=len(combinations))
+    if len(combinations) == 1:
         words = "the combination is in equilibrium"
-    if len(solved) < len(made):
+    if len(solved) < len(combinations):
         words = Message(
             "{solved} of {number} combinations are in equilibrium, the others have no certified result",
             solved=len(solved),
-            number=len(made),
+            number=len(combinations),
         )
     status: Status = "no failure found"
     if numbers and numbers["demand"] > numbers["resistance"] * (1 + ROUNDING):
@@ -163,14 +163,14 @@ def _pull(results: CombinationResult) -> float:
     return -float(np.minimum(results.plate.contact_force, 0.0).sum())
 
 
-def _uplift(combined: Results, made: list[Combination]) -> dict[str, Any]:
+def _uplift(combined: Results, combinations: list[Combination]) -> dict[str, Any]:
     """Return the forces upwards and downwards [kN] of the worst combination; nothing of several plates or supports."""
     solved = solved_results(combined)
     if combined.model.supports or combined.model.plates or not solved:
         return {}
     forces = column_loads.sum_of_others(solved[0], outline(solved[0].plate), ())
     ratios = []
-    for combination in made:
+    for combination in combinations:
         parts = [_Part(case, factor, forces.get(case, 0.0)) for case, factor in combination.factors]
         up, down = -sum(part.design for part in parts if part.up), sum(part.design for part in parts if not part.up)
         ratios.append((up / down if down else float("inf"), up / 1e3, down / 1e3, combination.name, parts))
@@ -199,7 +199,7 @@ class _Part(NamedTuple):
 
 def _steps(parts: Sequence[_Part], up: float, down: float) -> Iterator[Step]:
     """Yield how forces upwards and downwards [MN] come about, by expression 2.8 with no resistance but weights."""
-    made = dict[bool, list[str]]({True: [], False: []})
+    terms = dict[bool, list[str]]({True: [], False: []})
     for number, part in enumerate((part for part in parts if part.design), start=1):
         way, letter = ("upwards", "U") if part.up else ("downwards", "G")
         force = abs(part.force) / MEGA
@@ -210,7 +210,7 @@ def _steps(parts: Sequence[_Part], up: float, down: float) -> Iterator[Step]:
             "MN",
         )
         yield Step("its factor", f"gamma_{number}", abs(part.factor), clause="2.4.7.4")
-        made[part.up].append(f"gamma_{number} * {letter}_{number}")
+        terms[part.up].append(f"gamma_{number} * {letter}_{number}")
     for is_up, symbol, words, value in (
         (True, "V_dst", "destabilizing force", up),
         (False, "G_stb", "stabilizing force", down),
@@ -220,7 +220,7 @@ def _steps(parts: Sequence[_Part], up: float, down: float) -> Iterator[Step]:
             symbol,
             value,
             "MN",
-            " + ".join(made[is_up]) or "0",
+            " + ".join(terms[is_up]) or "0",
             "2.4.7.4(1), 2.8",
         )
     if down:

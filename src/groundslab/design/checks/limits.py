@@ -140,7 +140,7 @@ def _deflection(results: CombinationResult) -> Demand | None:
     """Return the largest sag between two neighboring columns over their distance, None of fewer."""
     demands = []
     for plate, columns in _columns_by_plate(results):
-        sag = max(deflections_between(plate, columns), key=lambda each: each.ratio)
+        sag = max(deflections_between(plate, columns), key=lambda deflection: deflection.ratio)
         (x0, y0), (x1, y1) = (columns[name] for name in sag.names)
         middle = (x0 + x1) / 2, (y0 + y1) / 2
         demands.append(Demand(sag.ratio, Name(" - ".join(sag.names)), middle, partial(limit_steps.of_sag, sag)))

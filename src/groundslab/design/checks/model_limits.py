@@ -133,17 +133,17 @@ def _resistance(described: AnySupport, name: str, used: Mapping[str, Utilization
     )
 
 
-def _steps(described: AnySupport, one: Utilization, unit: str) -> Iterator[Step]:
+def _steps(described: AnySupport, use: Utilization, unit: str) -> Iterator[Step]:
     """Yield what a support carries over what it can."""
     clause = "EN 1997-1 7.6.2, 7.6.3" if isinstance(described, Pile) else ""
-    yield Step("force of the support", "F", one.force / MEGA, unit)
+    yield Step("force of the support", "F", use.force / MEGA, unit)
     if described.limit_is == "characteristic resistance":
-        yield Step("characteristic resistance", "R_k", one.limit * one.factor / MEGA, unit)
-        yield Step("its partial factor", "gamma_R", one.factor, clause="EN 1997-1 Tables A.6 to A.8, A.16")
-        yield Step("design resistance", "R", one.limit / MEGA, unit, "R_k / gamma_R", clause)
+        yield Step("characteristic resistance", "R_k", use.limit * use.factor / MEGA, unit)
+        yield Step("its partial factor", "gamma_R", use.factor, clause="EN 1997-1 Tables A.6 to A.8, A.16")
+        yield Step("design resistance", "R", use.limit / MEGA, unit, "R_k / gamma_R", clause)
     else:
-        yield Step(described.limit_is, "R", one.limit / MEGA, unit)
-    yield Step("share used", "eta", one.share, "", "F / R", clause)
+        yield Step(described.limit_is, "R", use.limit / MEGA, unit)
+    yield Step("share used", "eta", use.share, "", "F / R", clause)
 
 
 def _without_resistance(results: list[CombinationResult]) -> Iterator[DesignCheck]:
@@ -207,7 +207,7 @@ def _holding_down(results: list[CombinationResult]) -> Iterator[DesignCheck]:
                 )
             )
     if pulls:
-        words = [each for _, each in sorted(pulls, reverse=True)]
+        words = [text for _, text in sorted(pulls, reverse=True)]
         listed = joined(words[:MOST_NAMED], "; ") + (" ..." if len(words) > MOST_NAMED else "")
         yield not_judged(ANCHORED, NO_LIMIT, Message("what holds the plate down has no limit, {forces}", forces=listed))
 

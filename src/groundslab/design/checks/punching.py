@@ -73,7 +73,7 @@ def _links(layouts: list[LinkLayout]) -> Iterator[DesignCheck]:
     if without:
         yield DesignCheck(LINKS, "attention", Message("{name}: {why}", name=without[0].name, why=without[0].why))
     layout, limit = max(
-        ((layout, limit) for layout in layouts for limit in layout.limits), key=lambda each: each[1].used
+        ((layout, limit) for layout in layouts for limit in layout.limits), key=lambda limited: limited[1].used
     )
     holds = limit.used <= 1 + ROUNDING
     beyond = [other.name for other in layouts if any(limit.used > 1 + ROUNDING for limit in other.limits)]
@@ -121,7 +121,7 @@ def calculations(combined: Results) -> Iterator[tuple[str, list[Calculation]]]:
             used = rule.used(demand, steel)
             if used > governing.get(demand.name, (0.0,))[0]:
                 governing[demand.name] = used, demand
-        ranked = sorted(governing.values(), key=lambda each: -each[0])
+        ranked = sorted(governing.values(), key=lambda governed: -governed[0])
         of_way = [
             Calculation(demand.name, demand.combination, tuple(rule.steps(demand, steel, support)), demand.sketch)
             for _, demand in ranked[: None if combined.model.report.sheets == "all" else 1]

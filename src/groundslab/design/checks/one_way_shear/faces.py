@@ -64,8 +64,8 @@ def pressing(results: CombinationResult, every: list[Bearer]) -> tuple[int, ...]
     return tuple(position for position, bearer in enumerate(every) if bearer.presses(results, factors))
 
 
-def region_within_d(plate: PlateResult, some: list[Bearer], d: Array) -> BaseGeometry:
-    """Return the part of the plan nearer than d to the faces of some, d (n,) [m] being the depth at the nodes.
+def region_within_d(plate: PlateResult, bearing: list[Bearer], d: Array) -> BaseGeometry:
+    """Return the part of the plan nearer than d to the faces of bearers, d (n,) [m] being the depth at the nodes.
 
     Of different depths along a shape the least one counts.
     """
@@ -73,7 +73,7 @@ def region_within_d(plate: PlateResult, some: list[Bearer], d: Array) -> BaseGeo
 
     mesh = Mesh(plate.nodes, plate.elements)
     by_reach: dict[float, list[BaseGeometry]] = {}
-    for bearer in some:
+    for bearer in bearing:
         element, _ = locate(mesh, _samples(bearer.shape))
         under = mesh.elements[element[element >= 0]]
         if len(under):

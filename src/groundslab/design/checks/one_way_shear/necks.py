@@ -46,9 +46,9 @@ def neck_cuts(results: CombinationResult, thickness: Array) -> list[Cut]:
     plate = results.plate
     mesh = Mesh(plate.nodes, plate.elements)
     plans = [outline(part) for part in results_by_plate(results).values()]
-    found = [_legs(part, plate.nodes, thickness) for plan in plans for part in get_parts(plan)]
+    cuts = [_legs(part, plate.nodes, thickness) for plan in plans for part in get_parts(plan)]
     singular, (webs, _) = singular_nodes(results), webs_of(results.solved_model)
-    beside_webs = [get_parts(LineString(leg).difference(webs)) for leg in np.concatenate(found)]
+    beside_webs = [get_parts(LineString(leg).difference(webs)) for leg in np.concatenate(cuts)]
     legs = [np.array([get_coordinates(part) for part in parts if part.length]) for parts in beside_webs]
     return [cut_along(mesh, those, singular) for those in legs if len(those)]
 
@@ -99,9 +99,9 @@ def _legs(plan: Polygon, nodes: Array, thickness: Array) -> Array:
     most = NARROW * thickness[cKDTree(nodes).query(starts)[1]]
     edge = turned.boundary
 
-    def is_free(radius: Array, some: Flags) -> Flags:
+    def is_free(radius: Array, chosen: Flags) -> Flags:
         """Return which circles of these radii [m] that touch the edge at some places meet it nowhere else."""
-        centers = starts[some] + radius[:, None] * normals[some]
+        centers = starts[chosen] + radius[:, None] * normals[chosen]
         return np.asarray(distance(points(centers), edge) >= radius * (1 - LARGER))
 
     narrow = ~is_free(most, np.ones(len(starts), dtype=bool))

@@ -63,7 +63,9 @@ class Places:
         size, its = (np.hypot(vector["shear_x"], vector["shear_y"]) for vector in (forces, inside))
         larger = (self.element >= 0) & (its > size)
         shear = {name: np.where(larger, values, forces[name]) for name, values in inside.items()}
-        return forces | {name: values * own for (name, values), own in zip(shear.items(), self.of_plate.T, strict=True)}
+        return forces | {
+            name: values * of_plate for (name, values), of_plate in zip(shear.items(), self.of_plate.T, strict=True)
+        }
 
     def mean(self, values: Array) -> Array:
         """Return nodal values (n,) at the places (k,)."""
@@ -112,21 +114,23 @@ class ShearPlaces:
             self._known[which, acting] = self._sort(results, bearers, [self.forces[number] for number in acting])
         return self._known[which, acting]
 
-    def _sort(self, results: CombinationResult, some: list[Bearer], punching: Sequence[PunchingForce]) -> PlacesByReach:
+    def _sort(
+        self, results: CombinationResult, bearers: list[Bearer], punching: Sequence[PunchingForce]
+    ) -> PlacesByReach:
         """Return the places sorted by their distance from the faces of what presses on the plate."""
         from shapely import contains_xy
 
         nodes = self._away(results, self.nodes, punching)
         webs, axes = webs_of(results.solved_model)
-        within_d = region_within_d(results.plate, some, nodes.d)
+        within_d = region_within_d(results.plate, bearers, nodes.d)
         region = within_d.union(webs)
         d = nodes.d
-        necks = tuple(cut for cut in self.necks if not is_beside(results, cut, cut.mean(d), punching, some))
+        necks = tuple(cut for cut in self.necks if not is_beside(results, cut, cut.mean(d), punching, bearers))
         if region.is_empty:
             return PlacesByReach((nodes,), nodes.of(np.zeros_like(nodes.counts)), necks)
         near, on_web = (np.asarray(contains_xy(part, *nodes.xy.T)) for part in (within_d, webs))
         beyond = nodes.of(nodes.counts & ~near & ~on_web)
-        at_d = _on_border(results, self.steel, region, [*(bearer.shape for bearer in some), *axes], nodes)
+        at_d = _on_border(results, self.steel, region, [*(bearer.shape for bearer in bearers), *axes], nodes)
         within = nodes.of(nodes.counts & near & ~on_web)
         return PlacesByReach(
             (beyond,) if at_d is None else (beyond, self._away(results, at_d, punching)), within, necks
@@ -166,8 +170,10 @@ def nodes_of(steel: Reinforcement, rule: ShearRule, results: list[CombinationRes
     numbers = np.arange(len(d))
     counts = _counts(results[0], plate.nodes, d, thickness)
     ones = np.ones((len(d), 1))
-    links, own = _links_at(steel, plate.nodes), _of_plate(results[0], plate.nodes)
-    return Places(plate.nodes, numbers[:, None], ones, np.full(len(d), -1), d, thickness, ratios, counts, links, own)
+    links, of_plate = _links_at(steel, plate.nodes), _of_plate(results[0], plate.nodes)
+    return Places(
+        plate.nodes, numbers[:, None], ones, np.full(len(d), -1), d, thickness, ratios, counts, links, of_plate
+    )
 
 
 def _on_border(
@@ -195,8 +201,8 @@ def _on_border(
     meets = np.zeros(len(mesh.elements), dtype=bool)
     meets[STRtree(_polygons(mesh)).query(shapes, predicate="intersects")[1]] = True
     element = np.where(meets[line.element[piece]], line.element[piece], -1)
-    counts, own = _counts(results, xy, d, thickness), _of_plate(results, xy)
-    return Places(xy, nearest, weights, element, d, thickness, ratios, counts, _links_at(steel, xy), own)
+    counts, of_plate = _counts(results, xy, d, thickness), _of_plate(results, xy)
+    return Places(xy, nearest, weights, element, d, thickness, ratios, counts, _links_at(steel, xy), of_plate)
 
 
 def _links_at(steel: Reinforcement, xy: Array) -> Integers:
@@ -221,10 +227,10 @@ def _of_plate(results: CombinationResult, xy: Array) -> Flags:
     """Return at which places (k, 2) shear along x and along y is the plate's, not that of a strip that is a beam."""
     from shapely import covers, points
 
-    own = np.ones((len(xy), 2), dtype=bool)
+    of_plate = np.ones((len(xy), 2), dtype=bool)
     for strip in results.model.output.beams:
-        own[covers(strip.area(), points(xy)), along_axis(strip)] = False
-    return own
+        of_plate[covers(strip.area(), points(xy)), along_axis(strip)] = False
+    return of_plate
 
 
 def is_of_beam(results: CombinationResult, cut: Cut) -> bool:

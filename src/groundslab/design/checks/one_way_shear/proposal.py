@@ -39,20 +39,20 @@ def shear_links(combined: Results, diameters: Sequence[float], rounding: float) 
     case = ShearCase.of(combined)
     if case is None:
         return
-    demands = [each for results in ultimate_results(combined) for each in _demands(case, results)]
-    demands += [each for each in case.across() if each.used > 1]
-    possible = [each for each in demands if not math.isinf(case.rule.links(case.steel, each))
-                and each.thickness >= case.rule.least_thickness]  # fmt: skip
+    demands = [demand for results in ultimate_results(combined) for demand in _demands(case, results)]
+    demands += [demand for demand in case.across() if demand.used > 1]
+    possible = [demand for demand in demands if not math.isinf(case.rule.links(case.steel, demand))
+                and demand.thickness >= case.rule.least_thickness]  # fmt: skip
     if len(possible) < len(demands):
         yield Message("one-way shear: links do not help everywhere")
     for number, (shape, inside) in enumerate(_rectangles(possible, rounding), 1):
         x0, y0, x1, y1 = shape
         corners = {"kind": "rectangle", "x": (x0, x1), "y": (y0, y1)}
         option = partial(ShearLinks, name=f"links {number}", shape=corners)
-        needed = max(case.rule.links(case.steel, each) for each in inside)
+        needed = max(case.rule.links(case.steel, demand) for demand in inside)
         apart = math.inf
         if case.rule.link_distance is not None:
-            apart = min(case.rule.link_distance(case.steel, each) for each in inside)
+            apart = min(case.rule.link_distance(case.steel, demand) for demand in inside)
         options = [
             option(diameter=diameter, spacing_x=spacing, spacing_y=spacing)
             for diameter in diameters
@@ -98,13 +98,13 @@ def _rectangles(
     for demand in demands:
         x, y = demand.place
         reach = BEYOND * demand.d
-        own: BaseGeometry = box(x - reach, y - reach, x + reach, y + reach)
+        rectangle: BaseGeometry = box(x - reach, y - reach, x + reach, y + reach)
         inside = [demand]
-        while met := [each for each in shapes if each[0].intersects(own)]:
-            shapes = [each for each in shapes if each not in met]
-            own = box(*total_bounds([own, *(shape for shape, _ in met)]))
-            inside = [*inside, *(each for _, others in met for each in others)]
-        shapes.append((own, inside))
+        while met := [group for group in shapes if group[0].intersects(rectangle)]:
+            shapes = [group for group in shapes if group not in met]
+            rectangle = box(*total_bounds([rectangle, *(shape for shape, _ in met)]))
+            inside = [*inside, *(met_demand for _, others in met for met_demand in others)]
+        shapes.append((rectangle, inside))
     for shape, inside in shapes:
         low = [rounding * math.floor(way / rounding + ROUNDING) for way in shape.bounds[:2]]
         high = [rounding * math.ceil(way / rounding - ROUNDING) for way in shape.bounds[2:]]

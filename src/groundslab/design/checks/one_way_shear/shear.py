@@ -88,7 +88,7 @@ class ShearCase:
         punching = (*punching_columns(model), *punching_piles(model), *zone_forces(combined))
         nodes = nodes_of(steel, rule, results)
         punched = punched_names(combined, code.punching.demands_of) if steel.links and code.punching is not None else ()
-        links = {given.of: given.distances[-1] for given in steel.links if given.of in punched}
+        links = {laid.of: laid.distances[-1] for laid in steel.links if laid.of in punched}
         necks = [cut for cut in neck_cuts(results[0], nodes.thickness) if not is_of_beam(results[0], cut)]
         places = ShearPlaces(steel, nodes, bearers(model), punching, reach, necks, links, rule.beyond_links)
         return cls(combined, steel, code, rule, places)
