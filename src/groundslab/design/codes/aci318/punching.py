@@ -162,15 +162,15 @@ def transfer(
     """
     center = centroid(legs)
     J = polar_moments(legs, center, d)
-    own = np.eye(2) if axes is None else axes
-    axes = principal_axes(J, own)
+    column_axes = np.eye(2) if axes is None else axes
+    axes = principal_axes(J, column_axes)
     b_1, b_2 = np.ptp((legs if whole is None else whole).reshape(-1, 2) @ axes.T, axis=0)
     shares = np.array([gamma_v(b_1, b_2), gamma_v(b_2, b_1)])
     places = (legs.reshape(-1, 2) - center) @ axes.T
     along, J_c = axes @ moments, np.diag(axes @ J @ axes.T)
     worst = places[np.argmax(places @ (shares * along / J_c))]
-    second, lengths = (axes @ each @ axes.T for each in (second_moments(legs, center), directions(legs)))
+    second, lengths = (axes @ tensor @ axes.T for tensor in (second_moments(legs, center), directions(legs)))
     extents, mixed = np.array([b_1, b_2]), (float(second[0, 1]), float(lengths[0, 1]))
     diagonals = np.diag(second), np.diag(lengths)
     area = total_length(legs) * d
-    return Transfer(V_u, area, extents, shares, along, J_c, worst, axes, *diagonals, mixed, axes is not own)
+    return Transfer(V_u, area, extents, shares, along, J_c, worst, axes, *diagonals, mixed, axes is not column_axes)

@@ -41,15 +41,15 @@ def least_change(change: Callable[[float], Demand | None], beyond: Callable[[Dem
         return changed if changed is not None and beyond(changed) <= 1 else None
 
     low, high = 0, 1
-    while (found := tried(high)) is None:
+    while (demand := tried(high)) is None:
         low, high = high, 2 * high
         if high > MOST_STEPS:
             return None
     while high - low > 1:
         middle = (low + high) // 2
         better = tried(middle)
-        low, high, found = (low, middle, better) if better is not None else (middle, high, found)
-    return found
+        low, high, demand = (low, middle, better) if better is not None else (middle, high, demand)
+    return demand
 
 
 def in_words(thickness: float | None, sides: tuple[float, float] | None, reach: float) -> str:

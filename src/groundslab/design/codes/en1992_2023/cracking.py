@@ -95,9 +95,9 @@ def crack_width(m: Array, h: Array, bars: Bars, concrete: Concrete, steel: Steel
     return width_of_stress(bar_stress(m, h, bars, concrete, steel), h, x, bars, (concrete, steel, k_b))
 
 
-def width_of_stress(sigma_s: Array, h: Array, x: Array, bars: Bars, given: tuple[Concrete, Steel, float]) -> Array:
-    """Return w_k,cal (n,) [m] for stresses of bars (n,) [Pa] and neutral axes x (n,) [m]; given has k_b, too."""
-    concrete, steel, k_b = given
+def width_of_stress(sigma_s: Array, h: Array, x: Array, bars: Bars, constants: tuple[Concrete, Steel, float]) -> Array:
+    """Return w_k,cal (n,) [m] for stresses of bars (n,) [Pa] and neutral axes x (n,) [m]; constants have k_b, too."""
+    concrete, steel, k_b = constants
     h_c = effective_depth(h, x, bars)
     rho, k_w = effective_ratio(h_c, bars), concrete.annex.k_w
     s_r = mean_spacing(bars, h, x, rho, (h - h_c) / h, (k_b, k_w))

@@ -30,17 +30,17 @@ class LaidLinks(NamedTuple):
 
 def laid_links(demand: TwoWay, steel: Reinforcement) -> LaidLinks | None:
     """Return what the links that are given do on a critical section; None where none are."""
-    given = steel.links_at(demand.name)
-    if given is None:
+    laid = steel.links_at(demand.name)
+    if laid is None:
         return None
     (concrete, bars), d = materials(steel), demand.d
-    A_v, s = min(given.areas), given.apart or aci318.STIRRUP_SPACING * d
-    if given.kind == "studs":
+    A_v, s = min(laid.areas), laid.apart or aci318.STIRRUP_SPACING * d
+    if laid.kind == "studs":
         v_c = aci318.with_studs(concrete, d, demand.b_o, demand.beta, demand.alpha_s)
         most = aci318.most_with_studs(concrete)
     else:
         v_c, most = aci318.with_links(concrete, d), aci318.most_with_links(concrete)
-    return LaidLinks(given, A_v, s, v_c, aci318.of_links(A_v, s, demand.b_o, bars), most)
+    return LaidLinks(laid, A_v, s, v_c, aci318.of_links(A_v, s, demand.b_o, bars), most)
 
 
 def strength_as_laid(demand: TwoWay, steel: Reinforcement) -> float:

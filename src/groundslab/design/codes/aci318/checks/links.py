@@ -66,9 +66,9 @@ def links(combined: Results, steel: Reinforcement, support: Support, demands: De
     yield from _of_forces(ultimate_results(combined), steel, support, forces, demands.found)
 
 
-def _worst(known: Mapping[tuple[str, str], TwoWay], name: str, steel: Reinforcement) -> TwoWay:
+def _worst(demands: Mapping[tuple[str, str], TwoWay], name: str, steel: Reinforcement) -> TwoWay:
     """Return the demand at one column, pile or end of a wall that uses most."""
-    of_name = [demand for (_, of), demand in known.items() if of == name]
+    of_name = [demand for (_, of), demand in demands.items() if of == name]
     return max(of_name, key=partial(used, steel=steel))
 
 
@@ -77,17 +77,19 @@ def _of_forces(
     steel: Reinforcement,
     support: Support,
     forces: Sequence[PunchingForce],
-    known: Mapping[tuple[str, str], TwoWay],
+    demands: Mapping[tuple[str, str], TwoWay],
 ) -> Iterator[LinkDemand]:
     """Yield the columns, piles or zones that need stirrups."""
     for punching in forces:
-        of_force = {pair: demand for pair, demand in known.items() if pair[1] == punching.name and not demand.supported}
-        given = steel.links_at(punching.name)
-        needing = [demand for demand in of_force.values() if given is not None or used(demand, steel) > 1]
+        of_force = {
+            pair: demand for pair, demand in demands.items() if pair[1] == punching.name and not demand.supported
+        }
+        laid = steel.links_at(punching.name)
+        needing = [demand for demand in of_force.values() if laid is not None or used(demand, steel) > 1]
         if not needing:
             continue
         worst = max(needing, key=lambda demand: demand.v_u)
-        studs = given is not None and given.kind == "studs"
+        studs = laid is not None and laid.kind == "studs"
         arrangement = _refused(steel, needing, studs) or _arrangement(results, steel, punching, worst)
         yield LinkDemand(support, punching.name, punching.place, worst.combination, CLAUSES, arrangement)
 
@@ -99,31 +101,31 @@ def _arrangement(
     d, first = worst.d, results[0]
     s = rounded_down(APART * d)
     counts = [count for way in punching.ways if (count := _count(results, way, steel, d, s)) is not None]
-    given = steel.links_at(punching.name)
-    if len(counts) < len(punching.ways) and given is None:
+    laid = steel.links_at(punching.name)
+    if len(counts) < len(punching.ways) and laid is None:
         return Message(
             "stirrups would go on beyond {most_rows:g} d from the face, as v_u hardly falls outwards",
             most_rows=MOST_ROWS * APART,
         )
     area, count = aci318.links(worst.v_u, d, worst.b_o, *materials(steel)) * s, max(counts, default=MOST_ROWS)
     plate, far = plate_under(first, *punching.place), (count + 1) * s
-    if given is not None:
-        far = max(far, given.distances[-1] + d)
+    if laid is not None:
+        far = max(far, laid.distances[-1] + d)
     around = surroundings(plate, punching.footprint, far, openings_of(first, punching))
     options = _options([LinkRow((n + 1) * s, area, ALONG * d) for n in range(count)], d)
     rows, limits = partial(_rows, steel, worst), partial(_limits, results, steel, punching, worst)
     return Arrangement(punching.thickness(first), options, partial(_legs, around), around.plan, rows, limits)
 
 
-def _rows(steel: Reinforcement, worst: TwoWay, given: PunchingLinks) -> tuple[LinkRow, ...]:
+def _rows(steel: Reinforcement, worst: TwoWay, laid: PunchingLinks) -> tuple[LinkRow, ...]:
     """Return what each perimeter of links that are given needs."""
     links = laid_links(worst, steel)
     assert links is not None
     v_s = max(worst.v_u / PHI_SHEAR - links.v_c, 0.0)
     area = v_s * worst.b_o * links.s / materials(steel)[1].f_yt
-    if given.kind == "studs":
+    if laid.kind == "studs":
         area = max(area, aci318.least_studs(links.s, worst.b_o, *materials(steel)))
-    return tuple(LinkRow(distance, area, ALONG * worst.d) for distance in given.distances)
+    return tuple(LinkRow(distance, area, ALONG * worst.d) for distance in laid.distances)
 
 
 def _limits(
@@ -131,23 +133,23 @@ def _limits(
     steel: Reinforcement,
     punching: PunchingForce,
     worst: TwoWay,
-    given: PunchingLinks,
+    laid: PunchingLinks,
 ) -> Iterator[LinkLimit]:
     """Yield what 22.6.4.2, 22.6.7.1, 8.7.6.3 and 8.7.7.1.2 ask of links that are given."""
     concrete, d = materials(steel)[0], worst.d
-    studs = given.kind == "studs"
+    studs = laid.kind == "studs"
     clause = "8.7.7.1.2" if studs else "8.7.6.3"
     wide = studs and worst.v_u <= PHI_SHEAR * LIGHTLY_STRESSED * concrete.root
     first, apart = "distance of the inner perimeter from the face", "distance of perimeters"
-    yield LinkLimit(first, given.distances[0] * 1e3, APART * d * 1e3, "mm", clause)
-    if given.apart is not None:
-        yield LinkLimit(apart, given.apart * 1e3, (APART_STUDS if wide else APART) * d * 1e3, "mm", clause)
+    yield LinkLimit(first, laid.distances[0] * 1e3, APART * d * 1e3, "mm", clause)
+    if laid.apart is not None:
+        yield LinkLimit(apart, laid.apart * 1e3, (APART_STUDS if wide else APART) * d * 1e3, "mm", clause)
     if not studs:
-        yield LinkLimit("diameter of links", given.diameter * 1e3, d / LEAST_SLENDER * 1e3, "mm", "22.6.7.1")
+        yield LinkLimit("diameter of links", laid.diameter * 1e3, d / LEAST_SLENDER * 1e3, "mm", "22.6.7.1")
     beyond = [
         v_u
         for way in punching.ways
-        if (v_u := _beyond(results, way, steel, d, given.distances[-1] + APART * d)) is not None
+        if (v_u := _beyond(results, way, steel, d, laid.distances[-1] + APART * d)) is not None
     ]
     most = PHI_SHEAR * aci318.with_links(concrete, d)
     stress = "stress d / 2 beyond the outer perimeter"

@@ -36,8 +36,8 @@ def aspects(support: Support, demands: Demands[TwoWay], steel: Reinforcement) ->
 def _worst(demands: list[TwoWay], steel: Reinforcement, name: str) -> DesignCheck:
     """Return the check of the column or pile that is used most."""
     demand = max(demands, key=partial(used_as_laid, steel=steel))
-    beside = [each for each in demands if each.combination == demand.combination]
-    error = error_of_ratio((each.v_u, strength_as_laid(each, steel), each.error) for each in beside)
+    beside = [other for other in demands if other.combination == demand.combination]
+    error = error_of_ratio((other.v_u, strength_as_laid(other, steel), other.error) for other in beside)
     v_u, resistance = max(demand.v_u, 0.0), strength_as_laid(demand, steel)
     linked = resistance > strength(demand, steel)
     words = Message(

@@ -50,8 +50,8 @@ def steps(demand: TwoWay, steel: Reinforcement, support: Support) -> Iterator[St
     else:
         inside = demand.force, demand.others, demand.pressure, demand.edge
         symbols, relieves = ("N_u", "V_u"), steel.line_force_relieves
-        there = demand.inside, demand.cases
-        yield from punching_force(what, symbols, inside, there, demand.V_u, "22.6.4.1", relieves=relieves)
+        loads_inside = demand.inside, demand.cases
+        yield from punching_force(what, symbols, inside, loads_inside, demand.V_u, "22.6.4.1", relieves=relieves)
         yield from _length(demand)
     if demand.transfer is not None:
         yield from _transfer(demand, demand.transfer, what)

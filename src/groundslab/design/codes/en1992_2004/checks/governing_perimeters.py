@@ -216,7 +216,7 @@ def _site(
     near = perimeter_loads.loads_near(results, punching, REACH * d)
     thinner = thinner_parts(results, around.footprint, punching.thickness(results), REACH * d)
     on = [zone for zone in zones if set(punching.columns) & set(zone.columns)]
-    zone = min(on, key=lambda each: each.footprint.region.area, default=None)
+    zone = min(on, key=lambda zone_force: zone_force.footprint.region.area, default=None)
     return _Site(punching, steel, bars, d, around, near, thinner, face_length(around, d), "", zone)
 
 
@@ -334,12 +334,12 @@ def _halved(low: float, high: float, holds: Callable[[float], bool]) -> tuple[fl
     return low, high
 
 
-def _next_distance(made: list[Demand], d: float) -> float | None:
+def _next_distance(demands: list[Demand], d: float) -> float | None:
     """Return where v_Ed / v_Rd may be larger than at all distances tried yet [m], None if nowhere."""
-    governing = [(demand, stress) for demand in made if (stress := demand.governing) is not None]
+    governing = [(demand, stress) for demand in demands if (stress := demand.governing) is not None]
     if not governing:
         return None
-    demand, top = max(governing, key=lambda one: one[0].used(one[1]))
+    demand, top = max(governing, key=lambda pair: pair[0].used(pair[1]))
     a = np.array([0.0, *(stress.distance for stress in demand.around)])
     y = np.array([0.0, *map(demand.used, demand.around)])
     i = int(np.argmax(y))
@@ -413,13 +413,13 @@ def _changed(results: CombinationResult, site: _Site, thicker: float, wider: flo
     }
     column = punching.column.model_copy(update=sides)
     other = _InThickerSlab(column, punching.by_case, punching.support, punching.pulls, thicker)
-    there = _site(results, other, site.steel, () if site.zone is None else (site.zone,))
+    changed_site = _site(results, other, site.steel, () if site.zone is None else (site.zone,))
     if materials(site.steel)[0].annex.face:
         # links are limited at the face and on the outermost perimeter alone
-        distances, _ = _first_distances(there)
-        demand = _demand(results, there, there.control(results, 0.0), distances[-1:])
+        distances, _ = _first_distances(changed_site)
+        demand = _demand(results, changed_site, changed_site.control(results, 0.0), distances[-1:])
     else:
-        (demand,), _ = _largest([results], there)
+        (demand,), _ = _largest([results], changed_site)
     return demand if demand.around else None
 
 

@@ -165,8 +165,8 @@ def _arrangement(
 ) -> Arrangement:
     """Return how links may be arranged where the effective depth is d [m]."""
 
-    def rows(given: PunchingLinks) -> tuple[LinkRow, ...]:
-        return _rows(steel, required, d, given.distances, given.diameter)
+    def rows(laid: PunchingLinks) -> tuple[LinkRow, ...]:
+        return _rows(steel, required, d, laid.distances, laid.diameter)
 
     limits = partial(_limits, steel, required, d)
     return Arrangement(thickness, _options(steel, required, d), lines, plan, rows, limits)
@@ -182,9 +182,9 @@ def _wall_legs(area: LoadedArea, shadow: BaseGeometry, distance: float) -> Array
     return outside(course(area, distance).legs, shadow)
 
 
-def _required(steel: Reinforcement, found: list[Demand]) -> _Required | None:
+def _required(steel: Reinforcement, demands: list[Demand]) -> _Required | None:
     """Return what the demands of all combinations need, None where none needs links."""
-    with_needs = [(demand, needing) for demand in found if (needing := _needing(demand))]
+    with_needs = [(demand, needing) for demand in demands if (needing := _needing(demand))]
     if not with_needs:
         return None
     needs = {demand.combination: _needs(steel, demand, needing) for demand, needing in with_needs}
@@ -213,9 +213,9 @@ def _needs(steel: Reinforcement, demand: Demand, needing: list[Stress]) -> list[
     ]
 
 
-def _refused(steel: Reinforcement, found: list[Demand], thickness: float, *, at_face: bool) -> str:
+def _refused(steel: Reinforcement, demands: list[Demand], thickness: float, *, at_face: bool) -> str:
     """Return why links do not help or are not allowed; empty if they are."""
-    for demand in found:
+    for demand in demands:
         concrete = materials(steel, demand.limit_state)[0]
         most = en1992.max_resistance(concrete)
         face = demand.face
@@ -223,18 +223,18 @@ def _refused(steel: Reinforcement, found: list[Demand], thickness: float, *, at_
             why: str = Message(
                 "links do not help: v_Ed is {v_Ed:.3g} v_Rd,max at the face (6.4.5(3))", v_Ed=face.v_Ed / most
             )
-            return _with_remedy(steel, found, why, at_face=at_face)
+            return _with_remedy(steel, demands, why, at_face=at_face)
         for _, stress, limit, _ in limited_with_links(demand, concrete.annex, at_face=at_face):
             if stress.v_Ed > limit and not stress.supported:
                 k_max = concrete.annex.k_max
                 why = Message("links do not suffice: v_Ed is more than {k_max:g} v_Rd,c (6.4.5(1))", k_max=k_max)
-                return _with_remedy(steel, found, why, at_face=at_face)
+                return _with_remedy(steel, demands, why, at_face=at_face)
     return "the slab is thinner than 200 mm, too thin for links (9.3.2(1))" if thickness < LEAST_THICKNESS else ""
 
 
-def _with_remedy(steel: Reinforcement, found: list[Demand], why: str, *, at_face: bool) -> str:
+def _with_remedy(steel: Reinforcement, demands: list[Demand], why: str, *, at_face: bool) -> str:
     """Return why links do not suffice for demands, and what helps the worst of them."""
-    worst = max(found, key=partial(beyond_links, steel, at_face=at_face))
+    worst = max(demands, key=partial(beyond_links, steel, at_face=at_face))
     return with_remedy(why, steel, worst, at_face=at_face)
 
 
@@ -279,19 +279,19 @@ def _rows(
     return tuple(rows)
 
 
-def _limits(steel: Reinforcement, required: _Required, d: float, given: PunchingLinks) -> Iterator[LinkLimit]:
+def _limits(steel: Reinforcement, required: _Required, d: float, laid: PunchingLinks) -> Iterator[LinkLimit]:
     """Yield what 9.4.3 and 6.4.5(4) ask of links that are given."""
     annex = materials(steel)[0].annex
     first, most_apart, _ = annex.link_rows
     from_face = "distance of the inner perimeter from the face"
     farthest = max(first * d, rounded_up(FIRST * d))
-    yield LinkLimit(from_face, given.distances[0] * 1e3, farthest * 1e3, "mm", "9.4.3(4)")
-    yield LinkLimit(from_face, given.distances[0] * 1e3, FIRST * d * 1e3, "mm", "Figure 9.10", least=True)
-    if given.apart is not None:
-        yield LinkLimit("distance of perimeters", given.apart * 1e3, most_apart * d * 1e3, "mm", "9.4.3(1)")
-    yield LinkLimit("number of perimeters", len(given.distances), LEAST_ROWS, "", "9.4.3(1)", least=True)
+    yield LinkLimit(from_face, laid.distances[0] * 1e3, farthest * 1e3, "mm", "9.4.3(4)")
+    yield LinkLimit(from_face, laid.distances[0] * 1e3, FIRST * d * 1e3, "mm", "Figure 9.10", least=True)
+    if laid.apart is not None:
+        yield LinkLimit("distance of perimeters", laid.apart * 1e3, most_apart * d * 1e3, "mm", "9.4.3(1)")
+    yield LinkLimit("number of perimeters", len(laid.distances), LEAST_ROWS, "", "9.4.3(1)", least=True)
     if required.last > 0:
         reach = "distance of the outer perimeter from the face"
-        yield LinkLimit(reach, given.distances[-1] * 1e3, required.last * 1e3, "mm", "6.4.5(4)", least=True)
+        yield LinkLimit(reach, laid.distances[-1] * 1e3, required.last * 1e3, "mm", "6.4.5(4)", least=True)
     if math.isfinite(annex.thickest_link):
-        yield LinkLimit("diameter of links", given.diameter * 1e3, annex.thickest_link * d * 1e3, "mm", "annex")
+        yield LinkLimit("diameter of links", laid.diameter * 1e3, annex.thickest_link * d * 1e3, "mm", "annex")

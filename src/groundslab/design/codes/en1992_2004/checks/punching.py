@@ -67,18 +67,18 @@ def links_that_count(distances: Sequence[float], a: float, s_r: float, d: float)
 
 def laid_links(demand: Demand, stress: Stress, steel: Reinforcement) -> LaidLinks | None:
     """Return what the links that are given do on a perimeter; None where none are, or it lies beyond them."""
-    given = steel.links_at(demand.name)
-    if given is None or stress.distance > given.distances[-1] + CROSSED * demand.d:
+    laid = steel.links_at(demand.name)
+    if laid is None or stress.distance > laid.distances[-1] + CROSSED * demand.d:
         return None
     concrete, bars = materials(steel, demand.limit_state)
     u, d = stress.u, demand.d
     if concrete.annex.links_alone:
         further = concrete.annex.link_rows[2]
-        A_sw = min([sum(given.areas[:LEAST_ROWS]), *(area / further for area in given.areas[LEAST_ROWS:])])
+        A_sw = min([sum(laid.areas[:LEAST_ROWS]), *(area / further for area in laid.areas[LEAST_ROWS:])])
         return LaidLinks(A_sw, 1.0, True, A_sw * en1992.effective_strength(d, bars.f_yd) / (u * d))
-    s_r = given.apart or concrete.annex.link_rows[1] * d
-    count = links_that_count(given.distances, stress.distance, s_r, d)
-    A_sw = min(given.areas)
+    s_r = laid.apart or concrete.annex.link_rows[1] * d
+    count = links_that_count(laid.distances, stress.distance, s_r, d)
+    A_sw = min(laid.areas)
     v_Rd_cs = en1992.resistance_with_links(demand.resistance(stress), A_sw, count, u, d, bars.f_yd)
     return LaidLinks(A_sw, count, False, v_Rd_cs)
 
@@ -136,8 +136,8 @@ def all_judged(demand: Demand, steel: Reinforcement) -> list[Judged]:
     """
     judged = [_as_laid(demand, stress, steel) for stress in demand.around]
     alone = materials(steel, demand.limit_state)[0].annex.links_alone
-    if alone and any(each.linked for each in judged):
-        return [each for each in judged if each.stress is demand.governing]
+    if alone and any(stressed.linked for stressed in judged):
+        return [stressed for stressed in judged if stressed.stress is demand.governing]
     return judged
 
 
@@ -160,7 +160,7 @@ def _at_face(steel: Reinforcement, support: Support, stresses: list[Judged]) -> 
     return replace(check, words=with_remedy(check.words, steel, max(stresses, key=_share).demand, at_face=True))
 
 
-def _within_2d(steel: Reinforcement, support: Support, there: list[Judged]) -> DesignCheck:
+def _within_2d(steel: Reinforcement, support: Support, judged: list[Judged]) -> DesignCheck:
     """Return whether punching within 2 d needs links, or exceeds what they can carry.
 
     With the bars provided in tension, or with the most that count, whatever will be laid. What links can carry is
@@ -168,16 +168,16 @@ def _within_2d(steel: Reinforcement, support: Support, there: list[Judged]) -> D
     """
     name = WITHIN_2D[support]
     annex = materials(steel)[0].annex
-    counted = {id(stressed.stress) for stressed in there}
-    punching = {id(stressed.demand): stressed.demand for stressed in there}.values()
+    counted = {id(stressed.stress) for stressed in judged}
+    punching = {id(stressed.demand): stressed.demand for stressed in judged}.values()
     limited = (
         stressed for demand in punching for stressed in limited_with_links(demand, annex, at_face=support in AT_FACES)
     )
     most = [stressed for stressed in limited if id(stressed.stress) in counted]
     which = "the bars provided" if steel.laid else "the largest ratio that counts"
     limit = Message("{k_max:g} v_Rd,c with {which}", k_max=annex.k_max, which=which)
-    without = _punching(name, support, Message("v_Rd with {which}", which=which), there, "fails", "6.4.4(2)")
-    needing = [stressed for stressed in there if stressed.share > 1]
+    without = _punching(name, support, Message("v_Rd with {which}", which=which), judged, "fails", "6.4.4(2)")
+    needing = [stressed for stressed in judged if stressed.share > 1]
     if most:
         with_links = _punching(name, support, limit, most, "fails", "6.4.5(1)")
         if with_links.status == "fails":
@@ -199,7 +199,7 @@ def _within_2d(steel: Reinforcement, support: Support, there: list[Judged]) -> D
             )
             without = replace(without, words=words)
     if not needing:
-        return without if steel.laid else _without_bars(steel, without, there)
+        return without if steel.laid else _without_bars(steel, without, judged)
     worst = max(needing, key=_share)
     if worst.linked:
         return replace(without, words=without.words + "; more or thicker legs are needed")
@@ -217,8 +217,8 @@ def _within_2d(steel: Reinforcement, support: Support, there: list[Judged]) -> D
     )
 
 
-def _share(each: Judged) -> float:
-    return each.share
+def _share(stressed: Judged) -> float:
+    return stressed.share
 
 
 def limited_with_links(demand: Demand, annex: Annex, *, at_face: bool) -> list[Judged]:
@@ -239,8 +239,8 @@ def beyond_links(steel: Reinforcement, demand: Demand, *, at_face: bool) -> floa
 def _beyond_face(steel: Reinforcement, demand: Demand) -> float:
     """Return the stress at the face over v_Rd,max; 0 without a face, or a limit there."""
     most = en1992.max_resistance(materials(steel, demand.limit_state)[0])
-    known = most is not None and demand.face is not None and not demand.face.supported
-    return demand.face.v_Ed / most if known and demand.face is not None and most is not None else 0.0
+    has_limit = most is not None and demand.face is not None and not demand.face.supported
+    return demand.face.v_Ed / most if has_limit and demand.face is not None and most is not None else 0.0
 
 
 def bars_for_links(steel: Reinforcement, support: Support, demands: Demands[Demand]) -> Iterator[TensionBars]:
@@ -255,7 +255,7 @@ def bars_for_links(steel: Reinforcement, support: Support, demands: Demands[Dema
         ratios = [(_ratio_for_links(steel, demand, share), demand) for demand, share in beyond]
         areas = [(ratio * demand.d, demand) for ratio, demand in ratios if ratio is not None]
         if areas and len(areas) == len(ratios):
-            area, demand = max(areas, key=lambda each: each[0])
+            area, demand = max(areas, key=lambda needed: needed[0])
             yield TensionBars(name, "top" if demand.pulls != (support == "pile") else "bottom", area, BESIDE * demand.d)
 
 
@@ -263,7 +263,7 @@ def _beyond_around(steel: Reinforcement, demand: Demand, *, at_face: bool) -> fl
     """Return the largest stress of a demand over k_max v_Rd on perimeters that count."""
     concrete = materials(steel, demand.limit_state)[0]
     limited = limited_with_links(demand, concrete.annex, at_face=at_face)
-    return max((each.share for each in limited if not each.supported), default=0.0)
+    return max((stressed.share for stressed in limited if not stressed.supported), default=0.0)
 
 
 def _ratio_for_links(steel: Reinforcement, demand: Demand, beyond: float) -> float | None:
@@ -297,14 +297,14 @@ def _remedy(steel: Reinforcement, demand: Demand, *, at_face: bool) -> str:
     return in_words(None if thicker is None else thicker.thickness, None if control is None else control.widths, REACH)
 
 
-def _without_bars(steel: Reinforcement, check: DesignCheck, there: list[Judged]) -> DesignCheck:
+def _without_bars(steel: Reinforcement, check: DesignCheck, judged: list[Judged]) -> DesignCheck:
     """Return a check that holds with the most bars as one that needs attention, if it asks for any: none are laid."""
     ratios = [
         (en1992.required_ratio(materials(steel, demand.limit_state)[0], demand.d, stress.v_Ed * share), demand)
-        for demand, stress, *_ in there
+        for demand, stress, *_ in judged
         for share in [demand.v_Rd_c / demand.resistance(stress)]
     ]
-    ratio, demand = max(ratios, key=lambda one: one[0], default=(0.0, None))
+    ratio, demand = max(ratios, key=lambda needed: needed[0], default=(0.0, None))
     if demand is None or not ratio:
         return check
     needs = Message(

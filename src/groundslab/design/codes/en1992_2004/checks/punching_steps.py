@@ -184,18 +184,18 @@ def _beta_by_moments(
     control: ControlPerimeter,
     least: float,
     what: tuple[Support, bool],
-    own: tuple[str, float],
+    column_force: tuple[str, float],
     raised: str,
     of: str = "",
 ) -> Iterator[Step]:
     """Yield how beta follows from the moments of all forces inside about the perimeter's center.
 
-    `own` is the symbol and size of the force that acts at the column [N], `raised` the symbol of what beta raises, and
+    `column_force` is the symbol and size of the force at the column [N], `raised` the symbol of what beta raises, and
     `of` what ends the symbols.
     """
     bounded = "max(beta_min, {})" if least > 1 else "{}"
     bound = [Step("least factor of the annex", "beta_min", least, clause=LEAST_BETA)] if least > 1 and not of else []
-    force = stress.V_Ed if not of else own[1]
+    force = stress.V_Ed if not of else column_force[1]
     shares, moduli = [*map(float, control.shares)], [*map(float, control.moduli)]
     general = en1992.raised(stress.moments, shares, force, control.u, moduli) / force if stress.beta else 1.0
     if _has_constant(stress, control, least, force):
@@ -210,7 +210,7 @@ def _beta_by_moments(
     if not of:
         yield axis_step(control.course.frame)
     for n in (1,) if edge else (1, 2):
-        yield from _of_axis(n, stress, control, what, own, of)
+        yield from _of_axis(n, stress, control, what, column_force, of)
     if stress.beta is None:
         return
     name, clause = ("beta at an edge", "6.4.3(4), 6.44") if edge else ("beta", "6.4.3(3), 6.39, 6.51")
@@ -226,12 +226,17 @@ def _beta_by_moments(
 
 
 def _of_axis(
-    n: int, stress: Stress, control: ControlPerimeter, what: tuple[Support, bool], own: tuple[str, float], of: str
+    n: int,
+    stress: Stress,
+    control: ControlPerimeter,
+    what: tuple[Support, bool],
+    column_force: tuple[str, float],
+    of: str,
 ) -> Iterator[Step]:
     """Yield the moment along axis n = 1 or 2, the share of it that shear transfers, and the perimeter's modulus."""
     assert stress.parts is not None
     sums = stress.others, stress.pressure, stress.edge
-    yield from moment_steps(n, stress.parts, own, stress.moments[n - 1], what, of, sums)
+    yield from moment_steps(n, stress.parts, column_force, stress.moments[n - 1], what, of, sums)
     other = 3 - n
     formula = en1992.FORMULAS["k_n"].replace("c_n", f"c_{n}").replace("c_m", f"c_{other}")
     share, W = float(control.shares[n - 1]), float(control.moduli[n - 1])
@@ -305,11 +310,11 @@ def _strength_of_links(demand: Demand, bars: Steel) -> Iterator[Step]:
 
 def _as_laid(demand: Demand, stress: Stress, steel: Reinforcement, links: LaidLinks) -> Iterator[Step]:
     """Yield what the links that are given carry."""
-    given = steel.links_at(demand.name)
-    assert given is not None
+    laid = steel.links_at(demand.name)
+    assert laid is not None
     yield from _strength_of_links(demand, materials(steel, demand.limit_state)[1])
-    yield Step("diameter of the links given", "phi_w", given.diameter, "m")
-    legs = links.A_sw / given.leg_area
+    yield Step("diameter of the links given", "phi_w", laid.diameter, "m")
+    legs = links.A_sw / laid.leg_area
     area, clause = "n_w * pi / 4 * phi_w^2 * 10000", "6.4.5(1)"
     if links.alone:
         words = "legs of both inner perimeters, or of a further one over its share if that is less"
@@ -318,10 +323,10 @@ def _as_laid(demand: Demand, stress: Stress, steel: Reinforcement, links: LaidLi
     else:
         yield Step("legs on each perimeter, the fewest", "n_w", legs)
         yield Step("links given on each perimeter", "A_sw", links.A_sw * 1e4, "cm2", area, clause)
-        s_r = given.apart or materials(steel, demand.limit_state)[0].annex.link_rows[1] * demand.d
+        s_r = laid.apart or materials(steel, demand.limit_state)[0].annex.link_rows[1] * demand.d
         yield Step("distance of perimeters, the largest", "s_r", s_r, "m", clause=clause)
-        yield Step("distance of the innermost one from the face", "a_F", given.distances[0], "m", clause=clause)
-        by_clause = en1992.links_that_count(stress.distance, given.distances[0], s_r, demand.d)
+        yield Step("distance of the innermost one from the face", "a_F", laid.distances[0], "m", clause=clause)
+        by_clause = en1992.links_that_count(stress.distance, laid.distances[0], s_r, demand.d)
         formula = en1992.FORMULAS["n_s"] if math.isclose(links.rows, by_clause) else ""
         words = "perimeters of links that count, no more than are given"
         yield Step(words, "n_s", links.rows, "", formula, clause)
@@ -412,9 +417,9 @@ def _face(
     outer = face.outer
     yield Step("distance of the outermost perimeter, about which moments count", "a_R", outer.distance, "m")
     yield Step("its length", "u_R", outer.u, "m", clause="6.4.2")
-    own = "N_Ed", demand.force
+    column_force = "N_Ed", demand.force
     if face.beta is None:
-        yield from _beta_by_moments(face, outer, 1.0, what, own, "N_Ed", ",R")
+        yield from _beta_by_moments(face, outer, 1.0, what, column_force, "N_Ed", ",R")
         formula = "sqrt((k_1,R * M_1,R * u_R / W_1,R)^2 + (k_2,R * M_2,R * u_R / W_2,R)^2)"
         added = face.v_Ed * face.u * demand.d - face.V_Ed
         yield Step("what the column's own moments add", "V_M,0", added / MEGA, "MN", formula, "6.4.5(3)")
@@ -422,7 +427,7 @@ def _face(
     else:
         if face.way == "code":
             least = concrete.annex.least_beta
-            yield from _beta_by_moments(face, outer, least, what, own, "N_Ed", ",R")
+            yield from _beta_by_moments(face, outer, least, what, column_force, "N_Ed", ",R")
         else:
             yield beta_in_steps(face.way, face.beta, "beta_0", "6.4.3(6), Figure 6.21N")
         formula = "beta_0 * V_Ed,0 / (u_0 * d)"

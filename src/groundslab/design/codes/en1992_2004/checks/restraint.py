@@ -38,7 +38,7 @@ def check_restraint(
     concrete, bars = materials(steel)
     f_ct = tensile_strength(steel)
     force = cracking.tension_force(thickness, f_ct)
-    stresses = {layer: force / each.area for layer, each in laid.items()}
+    stresses = {layer: force / layer_bars.area for layer, layer_bars in laid.items()}
     layer, node = _largest(stresses)
     yields = stresses[layer][node] > bars.f_yk
     here, h = _bars(steel, layer, laid[layer], node), float(thickness[node])
@@ -52,8 +52,8 @@ def check_restraint(
         yield not_judged(WIDTH, BARS_YIELD, words, resistance=w_max * _MM, unit="mm", clause=clause)
         return
     widths = {
-        layer: cracking.tension_crack_width(thickness, _bars(steel, layer, each), concrete, bars, f_ct)
-        for layer, each in laid.items()
+        layer: cracking.tension_crack_width(thickness, _bars(steel, layer, layer_bars), concrete, bars, f_ct)
+        for layer, layer_bars in laid.items()
     }
     layer, node = _largest(widths)
     here, h = _bars(steel, layer, laid[layer], node), float(thickness[node])

@@ -43,8 +43,8 @@ def checks(combined: Results, steel: Reinforcement, laid: dict[str, LaidBars]) -
     yield _cover(steel)
     concrete, bars = materials(steel)
 
-    def stress(m: Array, h: Array, some: Bars) -> Array:
-        return cracking.bar_stress(m, h, some, concrete, bars)
+    def stress(m: Array, h: Array, tension_bars: Bars) -> Array:
+        return cracking.bar_stress(m, h, tension_bars, concrete, bars)
 
     f_yk = strengths(steel)[1]
     bent = bars_in_tension(combined, steel, laid, "characteristic", stress)
@@ -98,15 +98,15 @@ def _cracks(
     assert steel.w_max is not None
 
     def steps(crack: BentBars) -> Iterator[Step]:
-        h, there = bars_at(combined, steel, laid[crack.layer], crack)
-        return crack_steps.steps(crack.moment, h, there, (concrete, bars, cracking.bond(crack.layer)))
+        h, crack_bars = bars_at(combined, steel, laid[crack.layer], crack)
+        return crack_steps.steps(crack.moment, h, crack_bars, (concrete, bars, cracking.bond(crack.layer)))
 
     widths: list[BentBars] = []
     for layer, layer_bars in laid.items():
         k_b = cracking.bond(layer)
 
-        def width(m: Array, h: Array, some: Bars, k_b: float = k_b) -> Array:
-            return cracking.crack_width(m, h, some, concrete, bars, k_b)
+        def width(m: Array, h: Array, tension_bars: Bars, k_b: float = k_b) -> Array:
+            return cracking.crack_width(m, h, tension_bars, concrete, bars, k_b)
 
         widths += bars_in_tension(combined, steel, {layer: layer_bars}, "quasi-permanent", width)
     stresses = bars_in_tension(combined, steel, laid, "quasi-permanent", stress)

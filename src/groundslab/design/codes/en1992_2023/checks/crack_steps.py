@@ -37,9 +37,9 @@ def stress(m: float, h: float, bars: Bars, concrete: Concrete, steel: Steel) -> 
     yield Step("stress of the bars, cracked", "sigma_s", float(sigma_s[0]) / MEGA, "MPa", FORMULAS["sigma_s"])
 
 
-def steps(m: float, h: float, bars: Bars, given: tuple[Concrete, Steel, float]) -> Iterator[Step]:
+def steps(m: float, h: float, bars: Bars, constants: tuple[Concrete, Steel, float]) -> Iterator[Step]:
     """Yield the calculation for a moment m [N m/m] at a place of thickness h [m], with the bars there and k_b."""
-    concrete, steel, k_b = given
+    concrete, steel, k_b = constants
     yield from stress(m, h, bars, concrete, steel)
     at = np.array([h])
     x = neutral_axis(at - cracking.axis(bars), np.asarray(bars.area), steel.E_s / concrete.E_cm)

@@ -82,17 +82,17 @@ def laid_links(demand: Punching, steel: Reinforcement) -> LaidLinks | None:
     Their area over that of the plan is that of the perimeter with the fewest legs, over its distance from the next one
     and the control perimeter's length.
     """
-    given = steel.links_at(demand.name)
-    if given is None:
+    laid = steel.links_at(demand.name)
+    if laid is None:
         return None
     concrete, bars = materials(steel, demand.limit_state)
-    s_r = given.apart or APART * demand.d
-    rho_w = min(given.areas) / (s_r * demand.b_05)
+    s_r = laid.apart or APART * demand.d
+    rho_w = min(laid.areas) / (s_r * demand.b_05)
     eta_c = en1992.concrete_share(demand.tau_Rd_c, max(demand.tau_links, demand.tau_Rd_c))
-    eta = eta_c, en1992.links_share(concrete.d_dg, demand.d, given.diameter, eta_c, demand.k_pb)
+    eta = eta_c, en1992.links_share(concrete.d_dg, demand.d, laid.diameter, eta_c, demand.k_pb)
     tau_max = en1992.system_factor(concrete, demand.b_0, demand.d) * demand.tau_Rd_c
     tau_cs = en1992.resistance_with_links(demand.tau_Rd_c, eta, rho_w, bars.f_yd)
-    return LaidLinks(min(given.areas), s_r, rho_w, eta, tau_cs, tau_max)
+    return LaidLinks(min(laid.areas), s_r, rho_w, eta, tau_cs, tau_max)
 
 
 def as_laid(demand: Punching, steel: Reinforcement) -> float:
@@ -124,11 +124,11 @@ def _worst(judged: list[Punching], steel: Reinforcement, name: str) -> DesignChe
     """Return the check of the one that links cannot help most, else of the one that ends worst and uses most."""
     share = partial(as_laid, steel=steel)
     failing = [demand for demand in judged if share(demand) > 1 and _beyond_links(demand, steel) > 1]
-    demand = max(failing or judged, key=lambda each: (severity(_status(each, steel)), share(each)))
+    demand = max(failing or judged, key=lambda punching: (severity(_status(punching, steel)), share(punching)))
     if share(demand) != demand.used:
         return _with_laid(demand, steel, name)
-    beside = [each for each in judged if each.combination == demand.combination]
-    error = error_of_ratio((each.tau_Ed, each.resistance, each.error) for each in beside)
+    beside = [punching for punching in judged if punching.combination == demand.combination]
+    error = error_of_ratio((punching.tau_Ed, punching.resistance, punching.error) for punching in beside)
     which = (
         "the bars provided"
         if steel.laid

@@ -164,7 +164,9 @@ def _demands(
             continue
         for result in pushing:
             demand = _demand(result, section, (punching, others), steel)
-            perimeter_loads.add_worse(demands, (result.combination, punching.name), demand, lambda each: each.used)
+            perimeter_loads.add_worse(
+                demands, (result.combination, punching.name), demand, lambda punched: punched.used
+            )
     return Demands(demands, missing)
 
 

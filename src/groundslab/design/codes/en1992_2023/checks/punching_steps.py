@@ -52,8 +52,8 @@ def steps(demand: Punching, steel: Reinforcement, support: Support) -> Iterator[
     else:
         inside = demand.force, demand.others, demand.pressure, demand.edge
         symbols, relieves = ("N_Ed", "V_Ed"), steel.line_force_relieves
-        there = demand.inside, demand.cases
-        yield from punching_force(what, symbols, inside, there, demand.V_Ed, "8.4.2(6)", relieves=relieves)
+        loads_inside = demand.inside, demand.cases
+        yield from punching_force(what, symbols, inside, loads_inside, demand.V_Ed, "8.4.2(6)", relieves=relieves)
         assert demand.section is not None
         yield from _length(demand, demand.section)
     if demand.section is None:
@@ -93,15 +93,15 @@ def steps(demand: Punching, steel: Reinforcement, support: Support) -> Iterator[
 
 def _as_laid(demand: Punching, steel: Reinforcement, links: LaidLinks) -> Iterator[Step]:
     """Yield what the links that are given carry."""
-    given = steel.links_at(demand.name)
-    assert given is not None
+    laid = steel.links_at(demand.name)
+    assert laid is not None
     concrete, bars = materials(steel, demand.limit_state)
     yield from _stress_with_links(demand)
     yield Step("share of the concrete", "eta_c", links.eta[0], "", "min(1, tau_Rd,c / tau_Ed)", "8.4.4(1), 8.105")
-    yield Step("diameter of the links given", "phi_w", given.diameter * 1e3, "mm")
+    yield Step("diameter of the links given", "phi_w", laid.diameter * 1e3, "mm")
     yield Step("share of links", "eta_s", links.eta[1], "", F["eta_s"], "8.4.4(1), 8.106")
     yield Step("strength of links", "f_ywd", bars.f_yd / MEGA, "MPa", clause="5.2.4")
-    yield Step("legs on each perimeter, the fewest", "n_w", links.A_sw / given.leg_area)
+    yield Step("legs on each perimeter, the fewest", "n_w", links.A_sw / laid.leg_area)
     formula = "n_w * pi / 4 * (phi_w / 10)^2"
     yield Step("links given on each perimeter", "A_sw", links.A_sw * 1e4, "cm2", formula, "8.4.4(1)")
     yield Step("distance of perimeters, the largest", "s_r", links.s_r, "m", clause="8.4.4(1)")
@@ -162,9 +162,9 @@ def _beta(demand: Punching, section: CriticalSection, what: tuple[Support, bool]
             sums = demand.others, demand.pressure, demand.edge
             yield from moment_steps(n, demand.parts, ("N_Ed", demand.force), M, what, sums=sums)
         else:
-            own, away = float(demand.parts.own[n - 1]), float(demand.parts.away[n - 1])
+            M_c, away = float(demand.parts.own[n - 1]), float(demand.parts.away[n - 1])
             words = Message("moment of the {support} itself along axis {n}", support=support, n=n)
-            yield Step(words, f"M_c,{n}", own / MEGA, "MNm")
+            yield Step(words, f"M_c,{n}", M_c / MEGA, "MNm")
             words = Message(
                 "center of the {support} from that of what counts of the perimeter, along axis {n}",
                 support=support,
