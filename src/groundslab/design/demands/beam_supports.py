@@ -88,27 +88,27 @@ def _ends(part: BaseGeometry) -> list[BaseGeometry]:
     return [Point(part.coords[0]), Point(part.coords[-1])]
 
 
-def shear_forces(own: BeamResult, part: BeamResult, faces: list[Faces], d: float) -> tuple[Array, Array]:
+def shear_forces(beam: BeamResult, part: BeamResult, faces: list[Faces], d: float) -> tuple[Array, Array]:
     """Return the sizes of shear forces [N] that links carry, and those that struts bear, at the places (k,) of a part.
 
-    The part has places of the beam, own, at least d [m] from its ends. What struts bear at a face is told up to d off.
+    The part has places of the beam at least d [m] from its ends. What struts bear at a face is told up to d off.
     """
     links = np.abs(part.shear)
     struts, raw = links.copy(), links.copy()
     first, last = part.way[[0, -1]]
-    near = NEAR * own.way[-1]
-    for number, each in enumerate(faces):
-        middle = (each.low + each.high) / 2
-        for face, away, beside in ((each.low, -1.0, number - 1), (each.high, 1.0, number + 1)):
+    near = NEAR * beam.way[-1]
+    for number, support in enumerate(faces):
+        middle = (support.low + support.high) / 2
+        for face, away, beside in ((support.low, -1.0, number - 1), (support.high, 1.0, number + 1)):
             at = face + away * d
             # at ends part begins a quarter of the length of a short beam from it
-            at = first if face <= 0 < away else last if face >= own.way[-1] and away < 0 else at
+            at = first if face <= 0 < away else last if face >= beam.way[-1] and away < 0 else at
             next_one = faces[beside] if 0 <= beside < len(faces) else None
             met = next_one is not None and away * (at - (next_one.low if away > 0 else next_one.high)) > 0
             if met or not first - near <= at <= last + near:
                 continue
             beyond = float(np.clip(at + away * OVER * d, first, last))
-            V, further = np.abs(own.at(np.sort([at, beyond])).shear)[:: int(away)]
+            V, further = np.abs(beam.at(np.sort([at, beyond])).shear)[:: int(away)]
             step = abs(beyond - at)
             V_face = V + (max(V - further, 0.0) / step * abs(at - face) if step > near else 0.0)
             inside = (away * (part.way - middle) >= -near) & (away * (part.way - at) < -near)
@@ -118,7 +118,7 @@ def shear_forces(own: BeamResult, part: BeamResult, faces: list[Faces], d: float
             here = inside.copy()
             here[np.argmin(np.abs(part.way - at))] = True
             struts[here] = np.maximum(struts[here], V_face)
-            if each.direct and alone:
+            if support.direct and alone:
                 links[inside] = np.minimum(links[inside], V)
                 links[here & ~inside] = np.maximum(links[here & ~inside], V)
                 links[outside] = V

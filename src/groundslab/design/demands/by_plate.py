@@ -152,9 +152,9 @@ def split_by_level(results: CombinationResult) -> Iterator[CombinationResult]:
 
 def nodes_at(results: CombinationResult, level: BaseGeometry) -> Flags:
     """Return which nodes (n,) of the plates lie in what is at one level; those at its steps stand once for each."""
-    there = np.zeros(len(results.plate.nodes), dtype=bool)
-    there[results.plate.elements[_at_level(results.plate, level)]] = True
-    return there
+    on_level = np.zeros(len(results.plate.nodes), dtype=bool)
+    on_level[results.plate.elements[_at_level(results.plate, level)]] = True
+    return on_level
 
 
 def _at_level(plate: PlateResult, level: BaseGeometry) -> Flags:

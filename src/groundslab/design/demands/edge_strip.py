@@ -100,10 +100,10 @@ def spread_edge_force(results: CombinationResult, nodes: Integers | None = None)
         return plate
     asked = np.arange(len(plate.nodes)) if nodes is None else nodes
     (sides, f), b = _sides(results), strip_width(results)
-    places, known = plate.nodes[asked], _pairs_of(plate)
+    places, cached_pairs = plate.nodes[asked], _pairs_of(plate)
     width = WIDER ** math.ceil(math.log(b, WIDER))
     key = width, asked.tobytes()
-    pairs = known[key] if key in known else known.setdefault(key, _pairs(places, sides, width))
+    pairs = cached_pairs[key] if key in cached_pairs else cached_pairs.setdefault(key, _pairs(places, sides, width))
     pressure, shear = np.zeros(len(plate.nodes)), np.zeros((len(plate.nodes), 2))
     pressure[asked], shear[asked] = _spread(places, sides, f, b, pairs)
     return replace(

@@ -88,10 +88,10 @@ def only_turns(pushing: Array) -> bool:
     return bool(pushing[0] <= ROUNDING * np.abs(pushing[1:]).max())
 
 
-def add_worse(found: dict[Key, Demand], key: Key, demand: Demand, used: Callable[[Demand], float]) -> None:
+def add_worse(demands: dict[Key, Demand], key: Key, demand: Demand, used: Callable[[Demand], float]) -> None:
     """Add a demand to those found by a key; of two ways in one combination the one that uses more of what resists."""
-    if key not in found or used(demand) > used(found[key]):
-        found[key] = demand
+    if key not in demands or used(demand) > used(demands[key]):
+        demands[key] = demand
 
 
 def rounding(forces: Sequence[PunchingForce], results: Sequence[CombinationResult]) -> float:
@@ -211,12 +211,12 @@ def punching_piles(model: Model) -> tuple[PunchingForce, ...]:
     )
 
 
-def reach_without(combined: Results, *some: tuple[Sequence[PunchingForce], Collection[str]]) -> Reach:
+def reach_without(combined: Results, *groups: tuple[Sequence[PunchingForce], Collection[str]]) -> Reach:
     """Return d [m] for those of some forces that have no perimeter, by their names: shear is checked from there on."""
     steel, result = combined.model.reinforcement, next(iter(combined.results.values()))
     assert steel is not None
     return {
-        force.key: force.depth(result, steel) for forces, missing in some for force in forces if force.name in missing
+        force.key: force.depth(result, steel) for forces, missing in groups for force in forces if force.name in missing
     }
 
 
@@ -295,8 +295,8 @@ class HandedOver:
         from shapely import dwithin, points
 
         joint = results.joints[self.joint]
-        there = dwithin(self.part, points(joint.nodes), self.near)
-        return self.down * _with_moments(joint.force[there], joint.nodes[there])
+        inside = dwithin(self.part, points(joint.nodes), self.near)
+        return self.down * _with_moments(joint.force[inside], joint.nodes[inside])
 
 
 @dataclass(frozen=True, slots=True)
@@ -312,7 +312,7 @@ class Crossing:
     def acting(self, results: CombinationResult) -> Array:
         """Return the beam's force on what is inside, downwards [N], and its first moments (3,) [N m]."""
         beam = results.beams[self.beam].at(np.array([self.way]))
-        M, V, T = (float(each[0]) for each in (beam.moment, beam.own_shear, beam.torsion))
+        M, V, T = (float(force[0]) for force in (beam.moment, beam.own_shear, beam.torsion))
         left = np.array([-self.along[1], self.along[0]])
         return self.sign * np.array([V, *(V * self.place - M * self.along - T * left)])
 

@@ -45,8 +45,8 @@ class PerimeterShear:
         total = float(self.ds.sum())
         if total <= over:
             return float(v @ self.ds / total)
-        ds, v = (np.tile(each, 2) if self.closed else each for each in (self.ds, v))
-        s, force = (np.concatenate([[0.0], np.cumsum(each)]) for each in (ds, v * ds))
+        ds, v = (np.tile(values, 2) if self.closed else values for values in (self.ds, v))
+        s, force = (np.concatenate([[0.0], np.cumsum(values)]) for values in (ds, v * ds))
         starts = s[s + over <= s[-1] + 1e-9 * total]
         means = (np.interp(starts + over, s, force) - np.interp(starts, s, force)) / over
         return float(means.max())

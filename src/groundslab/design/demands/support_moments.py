@@ -196,7 +196,7 @@ def moments_at_supports(results: Sequence[CombinationResult], steel: Reinforceme
                 area.name, layer, float(across.length[line]), moment, place_of(across.middle, line), name,
                 float(peaks[peak]), place_of(nodes, int(near[peak])),
             )))  # fmt: skip
-    return [row for _, row in sorted(rows, key=lambda each: each[0])]
+    return [row for _, row in sorted(rows, key=lambda numbered: numbered[0])]
 
 
 def support_areas(results: CombinationResult, steel: Reinforcement) -> tuple[SupportArea, ...]:

@@ -190,8 +190,8 @@ def wall_perimeters(
     number = np.repeat(np.arange(len(courses)), [len(line.legs) for line in courses])
     middle = legs.mean(axis=1)
     prepare(plan)
-    found, of_nodes, inward = _read(plate, legs)
-    on = found & contains_xy(plan, *middle.T)
+    on_mesh, of_nodes, inward = _read(plate, legs)
+    on = on_mesh & contains_xy(plan, *middle.T)
     counted = on if shadow.is_empty else on & ~contains_xy(shadow, *middle.T)
     turns = np.concatenate([line.turns for line in courses])
     of_turns, on_plate = (np.bincount(number[mask], minlength=len(courses)) for mask in (turns, turns & on))
@@ -225,7 +225,7 @@ def _read(plate: PlateResult, legs: Array) -> tuple[Flags, Integers, Array]:
     mesh = Mesh(plate.nodes, plate.elements)
     near = load_vectors.find_elements_near(mesh, box(*middle.min(axis=0), *middle.max(axis=0)))
     element, local = locate(Mesh(mesh.nodes, mesh.elements[near]), middle)
-    found = element >= 0
-    N = np.where(found[:, None], q9(local)[0], 0.0)
+    on_mesh = element >= 0
+    N = np.where(on_mesh[:, None], q9(local)[0], 0.0)
     inward = np.stack([-run[:, 1], run[:, 0]])[:, :, None] * N
-    return found, mesh.elements[near[np.maximum(element, 0)]], inward
+    return on_mesh, mesh.elements[near[np.maximum(element, 0)]], inward

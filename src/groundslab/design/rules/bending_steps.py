@@ -55,16 +55,16 @@ def _moment(need: BarsNeeded) -> Iterator[Step]:
         yield Step("design moment per width, its mean", "m", m, "MNm/m", "M_b / b")
         return
     sign = 1.0 if need.moment >= 0 else -1.0
-    own, other, twist = origin.along / MEGA, origin.across / MEGA, origin.twisting / MEGA
+    m_a, m_b, m_xy = origin.along / MEGA, origin.across / MEGA, origin.twisting / MEGA
     formula, of_face = "", "m_a" if sign > 0 else "-m_a"
-    if math.isclose(sign * own + abs(twist), m, rel_tol=CLOSE):
+    if math.isclose(sign * m_a + abs(m_xy), m, rel_tol=CLOSE):
         formula = f"{of_face} + abs(m_xy)"
-    elif other and math.isclose(sign * own + twist**2 / abs(other), m, rel_tol=CLOSE):
+    elif m_b and math.isclose(sign * m_a + m_xy**2 / abs(m_b), m, rel_tol=CLOSE):
         formula = f"{of_face} + m_xy^2 / abs(m_b)"
-    yield Step("moment of strips along the bars, positive with tension at the bottom", "m_a", own, "MNm/m")
+    yield Step("moment of strips along the bars, positive with tension at the bottom", "m_a", m_a, "MNm/m")
     if "m_b" in formula:
-        yield Step("moment of strips across the bars", "m_b", other, "MNm/m")
-    yield Step("twisting moment", "m_xy", twist, "MNm/m")
+        yield Step("moment of strips across the bars", "m_b", m_b, "MNm/m")
+    yield Step("twisting moment", "m_xy", m_xy, "MNm/m")
     yield Step("design moment per width, by Wood", "m", m, "MNm/m", formula)
 
 

@@ -45,14 +45,14 @@ class Step:
     clause: str = ""
 
 
-def with_numbers(step: Step, known: Mapping[str, float]) -> str:
+def with_numbers(step: Step, values: Mapping[str, float]) -> str:
     """Return the formula of a step with the values of its symbols in their places, with six digits."""
 
     def number(match: re.Match[str]) -> str:
         name = match[0]
         if name in FUNCTIONS + CONSTANTS:
             return name
-        return f"{known[name]:.6g}" if known[name] >= 0 else f"({known[name]:.6g})"
+        return f"{values[name]:.6g}" if values[name] >= 0 else f"({values[name]:.6g})"
 
     return SYMBOL.sub(number, step.formula)
 
@@ -87,7 +87,7 @@ def inside_steps(sums: tuple[float, float], inside: float, cases: Sequence[CaseI
 
 def _loads_inside(others: float, inside: float, cases: Sequence[CaseInside], of: str) -> Iterator[Step]:
     """Yield what other loads inside are made of: of each case the weight of the slab, further loads, and its factor."""
-    largest = sorted(cases, key=lambda each: -abs(each.factor * each.force))[:MOST_CASES]
+    largest = sorted(cases, key=lambda case: -abs(case.factor * case.force))[:MOST_CASES]
     told = [case for case in cases if case in largest]
     terms = []
     for k, (name, factor, force, unit_weight, volume) in enumerate(told, 1):
@@ -169,11 +169,11 @@ def moment_steps(
     those of other loads, pressure and line force inside [N], where the sheet has them as N_o, N_p and N_e.
     """
     support, _ = what
-    own, away, others, pressure, edge, supports = (float(part[n - 1]) for part in parts)
+    M_c, away, others, pressure, edge, supports = (float(part[n - 1]) for part in parts)
     with_loads, with_ground = ("-", "+") if from_below(what) else ("+", "-")
     symbol, value = force
     least = SAME * max(abs(value), abs(moment))
-    yield Step(Message("moment of the {support} itself along axis {n}", support=support, n=n), f"M_c,{n}", own / MEGA,
+    yield Step(Message("moment of the {support} itself along axis {n}", support=support, n=n), f"M_c,{n}", M_c / MEGA,
                "MNm")  # fmt: skip
     words = Message("center of the {support} from that of what counts of the perimeter, along axis {n}",
                     support=support, n=n)  # fmt: skip

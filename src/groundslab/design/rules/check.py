@@ -199,7 +199,7 @@ def not_judged(name: str, why: Unjudged, words: str, **about: Any) -> DesignChec
 
 def switched_off(check: DesignCheck, off: Iterable[CheckOff], of: str = "") -> DesignCheck:
     """Return a check as it is where one of those that are switched off covers it, of something or of all."""
-    reason = next((each.reason for each in off if each.covers(check.name, of)), None)
+    reason = next((entry.reason for entry in off if entry.covers(check.name, of)), None)
     if reason is None or check.off is not None or check.status == "not checked":
         return check
     template = "switched off ({reason}); otherwise {status}: {text}"
@@ -220,17 +220,17 @@ def judge_apart(
     the second.
     """
     names = dict.fromkeys(name_of(item) for item in items)
-    alone = [each for each in off if each.of in names]
+    alone = [entry for entry in off if entry.of in names]
     for check in judge(list(items)):
-        apart = [each.of for each in alone if each.covers(check.name, each.of)]
+        apart = [entry.of for entry in alone if entry.covers(check.name, entry.of)]
         if not apart:
             yield check
             continue
         rest = [item for item in items if name_of(item) not in apart]
-        yield from (each for each in (judge(rest) if rest else ()) if each.name == check.name)
+        yield from (judged for judged in (judge(rest) if rest else ()) if judged.name == check.name)
         for name in dict.fromkeys(apart):
-            own = judge([item for item in items if name_of(item) == name])
-            yield from (switched_off(each, off, name) for each in own if each.name == check.name)
+            of_name = judge([item for item in items if name_of(item) == name])
+            yield from (switched_off(judged, off, name) for judged in of_name if judged.name == check.name)
 
 
 def in_units(check: DesignCheck, system: System) -> DesignCheck:

@@ -123,8 +123,8 @@ def without_beams(
     on = _on_beams(combined, beyond, support) if support in ("column", "pile") else set()
     if not on:
         return demands
-    found = {key: demand for key, demand in demands.found.items() if key[1] not in on}
-    return replace(demands, found=found, missing={**demands.missing, **dict.fromkeys(sorted(on), ON_BEAM)})
+    off_beams = {key: demand for key, demand in demands.found.items() if key[1] not in on}
+    return replace(demands, found=off_beams, missing={**demands.missing, **dict.fromkeys(sorted(on), ON_BEAM)})
 
 
 def _on_beams(combined: Results, beyond: float, support: Support) -> set[str]:
@@ -170,9 +170,9 @@ def effective_note(about_center: str) -> str:
     )
 
 
-def with_way(check: DesignCheck, found: Mapping[tuple[str, str], Demand]) -> DesignCheck:
+def with_way(check: DesignCheck, demands: Mapping[tuple[str, str], Demand]) -> DesignCheck:
     """Return a check that says whether what it is about pulls, or turns without a force, by the demands found."""
-    demand = found[check.combination, check.of]
+    demand = demands[check.combination, check.of]
     way = TURNS if abs(demand.force) < LEAST_FORCE else PULLS if demand.pulls else ""
     return replace(check, words=check.words + way)
 

@@ -252,9 +252,9 @@ def _punching(
     As both meshes may agree by accident, a force has the largest error of itself and those next to it.
     """
 
-    def shear(some: tuple[PlateResult, ...]) -> Array:
+    def shear(plates_of_mesh: tuple[PlateResult, ...]) -> Array:
         sign = -1.0 if site.pulls else 1.0
-        largest: Array = np.max([sign * site.perimeters.shear(plate) for plate in some], axis=0)
+        largest: Array = np.max([sign * site.perimeters.shear(plate) for plate in plates_of_mesh], axis=0)
         return largest
 
     def on_legs(position: int) -> Array:

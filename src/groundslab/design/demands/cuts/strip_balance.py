@@ -77,12 +77,12 @@ def strip_balance(results: CombinationResult, strip: OutputStrip, cuts: StripRes
         return None
     axis = np.array(strip.end) - strip.start
     axis = axis / np.linalg.norm(axis)
-    known, key = _pieces(results, results.solved_model), (strip.name, cuts.s.tobytes())
-    if key not in known:
+    pieces, key = _pieces(results, results.solved_model), (strip.name, cuts.s.tobytes())
+    if key not in pieces:
         # what stands at a cut belongs to the piece that begins there
         off = np.where(np.arange(len(cuts.s)) < len(cuts.s) - 1, -BESIDE, BESIDE) * strip.width
-        known[key] = [_piece(results, strip, axis, span) for span in pairwise((cuts.s + off).tolist())]
-    acting = [_acting(results, piece, axis) for piece in known[key]]
+        pieces[key] = [_piece(results, strip, axis, span) for span in pairwise((cuts.s + off).tolist())]
+    acting = [_acting(results, piece, axis) for piece in pieces[key]]
     loads, reactions = (np.array(forces).reshape(-1, 2) for forces in zip(*acting, strict=True))
     sides, twist = _sides(results, strip, axis, cuts.s)
     down = loads - reactions + sides

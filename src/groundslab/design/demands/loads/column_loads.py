@@ -163,15 +163,15 @@ def weights_inside(
     unit weights the weight over the volume is meant.
     """
     elements, areas = shares
-    found: dict[str, tuple[float, float]] = {}
+    weights: dict[str, tuple[float, float]] = {}
     for case, shape in shapes:
         if isinstance(shape, PlateAction) and shape.unit_weight:
-            there = _of_plate(results, elements, shape.plate)
-            volume = float((results.elements.thickness[elements[there], None] * areas[there]).sum())
-            weight, before = found.get(case, (0.0, 0.0))
+            on_plate = _of_plate(results, elements, shape.plate)
+            volume = float((results.elements.thickness[elements[on_plate], None] * areas[on_plate]).sum())
+            weight, before = weights.get(case, (0.0, 0.0))
             if volume:
-                found[case] = (weight * before + shape.unit_weight * volume) / (before + volume), before + volume
-    return found
+                weights[case] = (weight * before + shape.unit_weight * volume) / (before + volume), before + volume
+    return weights
 
 
 @dataclass(frozen=True, slots=True)
@@ -194,7 +194,7 @@ class _Inside:
         if isinstance(shape, LineForce):
             along, areas = spread_line(model.plate, shape, model.plates)
             pieces = [(piece, pressure) for area, pressure in areas for piece in _pieces(self.part, area)]
-            pressed = sum((self.pressed(self.elements, *each) for each in pieces), np.zeros(3))
+            pressed = sum((self.pressed(self.elements, *pressed_piece) for pressed_piece in pieces), np.zeros(3))
             return pressed + _on_line(along, self.part, chord)
         if isinstance(shape, PointForce):
             return _on_footprint(shape, self.part, chord)

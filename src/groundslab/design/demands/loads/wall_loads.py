@@ -38,8 +38,8 @@ class WallLoads:
         factors = factors_of(results)
 
         def total(by_case: dict[str, Array]) -> Array:
-            each = (factors.get(case, 0.0) * ends for case, ends in by_case.items())
-            return sum(each, np.zeros(self.parts.shape))
+            factored = (factors.get(case, 0.0) * ends for case, ends in by_case.items())
+            return sum(factored, np.zeros(self.parts.shape))
 
         return total(self.force), total(self.couple)
 
@@ -55,7 +55,9 @@ class WallLoads:
         length = self.parts.max()
         near = ROUNDING * length
         here = (self.parts[:, 0] - near <= way) & (way <= self.parts[:, 1] + near)
-        values = [np.interp(way, part, each) for part, each in zip(self.parts[here], ends[here], strict=True)]
+        values = [
+            np.interp(way, part, end_values) for part, end_values in zip(self.parts[here], ends[here], strict=True)
+        ]
         return float(np.mean(values)) if values else 0.0
 
 
@@ -78,9 +80,9 @@ def loads_on_wall(model: Model, wall: Wall) -> WallLoads:
     couple: dict[str, Array] = defaultdict(lambda: np.zeros(parts.shape))
     for case, line in lines:
         within = line.start, line.start + line.length
-        there = (within[0] < parts.mean(axis=1)) & (parts.mean(axis=1) < within[1])
-        force[case][there] += np.interp(parts[there], within, line.q)
-        couple[case][there] += np.interp(parts[there], within, line.m)
+        loaded = (within[0] < parts.mean(axis=1)) & (parts.mean(axis=1) < within[1])
+        force[case][loaded] += np.interp(parts[loaded], within, line.q)
+        couple[case][loaded] += np.interp(parts[loaded], within, line.m)
     straight = len(wall.edges) == 1 and wall.edges[0].straight
     for (case, _), (P, *M) in zip(units, np.eye(3), strict=False):
         force[case] += P / L
@@ -144,7 +146,7 @@ def settlement_along(model: Model, wall: Wall) -> Callable[[CombinationResult], 
 
 def _of_members(model: Model, wall: Wall, results: CombinationResult) -> tuple[Array, Array]:
     """Return ways along a wall with a height [m], and its settlement there [m]."""
-    stiff = [each.name for each in model.walls if each.height is not None]
+    stiff = [stiff_wall.name for stiff_wall in model.walls if stiff_wall.height is not None]
     parts = [beam for beam, number in zip(results.beams, model.wall_of_members, strict=True)
              if number >= 0 and stiff[number] == wall.name]  # fmt: skip
     starts = np.cumsum([0.0, *(beam.way[-1] for beam in parts)])

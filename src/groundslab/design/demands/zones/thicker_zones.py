@@ -164,7 +164,7 @@ def _zones(results: CombinationResult, forces: Sequence[PunchingForce], section:
                 continue
             # a thinner place in the zone is none of its border
             loaded = intersection(Polygon(part.exterior), plan) if part.interiors else part
-            loaded = max(get_parts(loaded), key=lambda one: one.area).simplify(rounding)
+            loaded = max(get_parts(loaded), key=lambda piece: piece.area).simplify(rounding)
             if any(zone.region == loaded for zone in zones):
                 continue
             middles = results.plate.nodes[results.plate.elements[:, -1]]

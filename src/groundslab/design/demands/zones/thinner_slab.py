@@ -58,10 +58,10 @@ def thinner_parts(
         return ()
     mesh = Mesh(plate.nodes, plate.elements)
     near = load_vectors.find_elements_near(mesh, footprint.buffer(CORNER_REACH * reach))
-    there = elements.thickness[near]
+    levels = elements.thickness[near]
     regions = {
-        level: area_of(plate.nodes, plate.elements[near[there == level]])
-        for level in np.unique(there)
+        level: area_of(plate.nodes, plate.elements[near[levels == level]])
+        for level in np.unique(levels)
         if level < (1 - SAME) * thickness
     }
     return tuple(

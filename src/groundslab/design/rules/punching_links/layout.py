@@ -169,7 +169,7 @@ def lay_links(demand: LinkDemand, diameters: Sequence[float], covers: tuple[floa
     return min(layouts, key=lambda layout: (layout.mass, layout.number))
 
 
-def lay_given_links(demand: LinkDemand, given: PunchingLinks, covers: tuple[float, float]) -> LinkLayout:
+def lay_given_links(demand: LinkDemand, laid: PunchingLinks, covers: tuple[float, float]) -> LinkLayout:
     """Return links that are given, with what the code asks of them, with covers [m] at the bottom and the top.
 
     Legs are shared out to the parts of a perimeter that count so that they are as near to each other as they can be.
@@ -178,14 +178,14 @@ def lay_given_links(demand: LinkDemand, given: PunchingLinks, covers: tuple[floa
     start = demand.support, demand.name, demand.place, demand.combination, demand.clauses
     if isinstance(arrangement, str):
         return LinkLayout(*start, why=arrangement, unknown=demand.unknown)
-    inner = _inner(arrangement, covers, given.diameter)
-    limits, perimeters = [*arrangement.limits(given)], list[LinkPerimeter]()
-    for row, count in zip(arrangement.rows(given), given.counts, strict=True):
+    inner = _inner(arrangement, covers, laid.diameter)
+    limits, perimeters = [*arrangement.limits(laid)], list[LinkPerimeter]()
+    for row, count in zip(arrangement.rows(laid), laid.counts, strict=True):
         try:
             parts = _chains(arrangement.lines(row.distance), inner)
         except InputError as error:
             return LinkLayout(*start, why=str(error))
-        perimeter = _given_perimeter(row, parts, count, given.leg_area)
+        perimeter = _given_perimeter(row, parts, count, laid.leg_area)
         perimeters.append(perimeter)
         if row.area:
             limits.append(LinkLimit(
@@ -195,7 +195,7 @@ def lay_given_links(demand: LinkDemand, given: PunchingLinks, covers: tuple[floa
         what = Message("distance of legs along the perimeter {distance:.4g m} from the face", distance=row.distance)
         limits.append(LinkLimit(what, perimeter.spacing * 1e3, row.spacing * 1e3, "mm", demand.clauses))
     leg = arrangement.thickness - sum(covers)
-    return LinkLayout(*start, given.diameter, leg, tuple(perimeters), limits=tuple(limits))
+    return LinkLayout(*start, laid.diameter, leg, tuple(perimeters), limits=tuple(limits))
 
 
 def _inner(arrangement: Arrangement, covers: tuple[float, float], diameter: float) -> BaseGeometry:
@@ -238,8 +238,8 @@ def _perimeter(row: LinkRow, parts: list[Array], diameter: float) -> LinkPerimet
     apart = min(row.spacing, length * of_leg / row.area if row.area else math.inf)
     if apart < LEAST_APART:
         return None
-    counts = [max(1, math.ceil(one / apart * (1 - ROUNDING))) for one in lengths]
-    spacings = [one / count for one, count in zip(lengths, counts, strict=True)]
+    counts = [max(1, math.ceil(part_length / apart * (1 - ROUNDING))) for part_length in lengths]
+    spacings = [part_length / count for part_length, count in zip(lengths, counts, strict=True)]
     places = np.concatenate([_along(part, count) for part, count in zip(parts, counts, strict=True)])
     provided = of_leg * len(places)
     return LinkPerimeter(row.distance, length, row.area, provided, max(spacings), row.spacing, places)
