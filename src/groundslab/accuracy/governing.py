@@ -50,12 +50,12 @@ def find_governing(
     reach = _Reach(next(iter(results.values())).plate)
     candidates: list[_Candidate] = []
     for candidate in (*_by_error(off), *_by_size(results)):
-        chosen = {each.combination for each in candidates}
+        chosen = {kept.combination for kept in candidates}
         if len(chosen) == MOST_GOVERNING and candidate.combination not in chosen:
             continue
         if not any(reach.same_place(candidate, other) for other in candidates if other.quantity == candidate.quantity):
             candidates.append(candidate)
-    governing = {each.combination for each in candidates}
+    governing = {kept.combination for kept in candidates}
     return tuple(name for name in results if name in governing)
 
 
@@ -64,7 +64,7 @@ def _by_error(off: Mapping[str, Sequence[JudgedValue]]) -> list[_Candidate]:
     candidates = [
         _Candidate(name, (value.label, value.sign), value) for name, values in off.items() for value in values
     ]
-    return sorted(candidates, key=lambda each: -each.value.share)
+    return sorted(candidates, key=lambda candidate: -candidate.value.share)
 
 
 def _by_size(results: Mapping[str, CombinationResult]) -> Iterator[_Candidate]:
@@ -77,7 +77,7 @@ def _by_size(results: Mapping[str, CombinationResult]) -> Iterator[_Candidate]:
             by_quantity.setdefault(candidate.quantity, []).append((size + error, size, candidate))
     for several in by_quantity.values():
         largest = max(size for _, size, _ in several)
-        for most, _, candidate in sorted(several, key=lambda each: -each[0]):
+        for most, _, candidate in sorted(several, key=lambda entry: -entry[0]):
             if most >= largest:
                 yield candidate
 
@@ -97,9 +97,9 @@ class _Reach:
         self.sides = np.sqrt(areas(xy))
         self.centers = KDTree(xy[:, 8])
 
-    def same_place(self, one: _Candidate, other: _Candidate) -> bool:
+    def same_place(self, candidate: _Candidate, other: _Candidate) -> bool:
         """Return whether the extreme of one value lies where that of another is, or may be; of the whole, it does."""
-        place = one.value.place
+        place = candidate.value.place
         if place is None or other.value.place is None:
             return True
         side = self.sides[self.centers.query(place)[1]]

@@ -50,8 +50,8 @@ def _read(folder: Path, name: str) -> dict[str, Any]:
     try:
         text = path.read_text(encoding="utf-8-sig")
     except (OSError, UnicodeDecodeError) as error:
-        found = getattr(error, "strerror", None) or "a file that is not UTF-8 text"
-        raise InputError([Issue(where, found, "a CSV file")]) from None
+        reason = getattr(error, "strerror", None) or "a file that is not UTF-8 text"
+        raise InputError([Issue(where, reason, "a CSV file")]) from None
     lines = [(number, line) for number, line in enumerate(text.splitlines(), start=1) if line.strip()]
     if len(lines) < 2:
         expected = "names of columns and walls, then rows of numbers"

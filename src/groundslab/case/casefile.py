@@ -98,9 +98,9 @@ def _require_short_keys(text: str, name: str) -> None:
     for match in _DOTTED.finditer(text):
         if match.end() - match.start() > MOST_KEYS and (parts := match.group().count(".")) > MOST_KEYS:
             line = text.count("\n", 0, match.start()) + 1
-            found = f"{parts + 1} names joined by dots"
+            dotted_key = f"{parts + 1} names joined by dots"
             raise InputError(
-                [Issue(f"{name}, line {line}", found, f"at most {MOST_KEYS}, as the tables of a file need")]
+                [Issue(f"{name}, line {line}", dotted_key, f"at most {MOST_KEYS}, as the tables of a file need")]
             )
 
 

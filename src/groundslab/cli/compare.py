@@ -107,8 +107,8 @@ def compare_designs(options: argparse.Namespace) -> int:
     from groundslab.study.alternatives import comparison as alternatives
 
     if (options.take is None) != (options.out is None):
-        found = "--take without -o" if options.out is None else "-o without --take"
-        raise InputError([Issue("the options", found, "both, or neither")])
+        lone_option = "--take without -o" if options.out is None else "-o without --take"
+        raise InputError([Issue("the options", lone_option, "both, or neither")])
     shows = sys.stderr.isatty() and not options.json
     comparison = alternatives.compare_designs(options.case, _print_alternative if shows else None)
     if options.json:

@@ -268,8 +268,8 @@ def _report(options: argparse.Namespace) -> int:
     if options.pdf and target.suffix.lower() != ".pdf":
         raise InputError([Issue("--out", str(target), "a name that ends in .pdf, because of --pdf")])
     if Path(os.path.realpath(folder)) in Path(os.path.realpath(target)).parents:
-        found, hint = f"{target}, which is in the folder of the results", "groundslab solve would not replace it then"
-        raise InputError([Issue("--out", found, "another folder", hint)])
+        place, hint = f"{target}, which is in the folder of the results", "groundslab solve would not replace it then"
+        raise InputError([Issue("--out", place, "another folder", hint)])
     report.check(target)
     combined = results_folder.load_results(folder)
     text, comparison = report.text_of(folder, combined.model), load_comparison(folder)

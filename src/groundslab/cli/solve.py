@@ -58,8 +58,8 @@ def run(options: argparse.Namespace) -> int:
     # Checked now, since an analysis may take long and its results would be lost.
     target = results_folder.check(folder)
     if target in Path(os.path.realpath(case)).parents:
-        found = f"{folder}, which holds the case file"
-        raise InputError([Issue("--out", found, "another folder", "it would be replaced")])
+        case_folder = f"{folder}, which holds the case file"
+        raise InputError([Issue("--out", case_folder, "another folder", "it would be replaced")])
     helper = _is_helper(model)
     start = _find_start(model, folder, options)
     results = _solve(model, folder, start, quiet=options.quiet or helper, helper=helper)

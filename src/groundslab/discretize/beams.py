@@ -248,8 +248,8 @@ def _ends_of_span(plan: Layout, span: Segment) -> list[int]:
     distance = np.linalg.norm(plan.mesh.nodes[under] - ends[:, None], axis=2)
     start, end = under[np.argmin(distance, axis=1)].tolist()
     if distance.min(axis=1).max() > MET * span.length:
-        found = f"no node at {format_place(span.start, plan.origin)} m or {format_place(span.end, plan.origin)} m"
-        raise InputError([Issue("beams", found, "a mesh that meets the ends of every span")])
+        unmet_ends = f"no node at {format_place(span.start, plan.origin)} m or {format_place(span.end, plan.origin)} m"
+        raise InputError([Issue("beams", unmet_ends, "a mesh that meets the ends of every span")])
     return [start, end, start]
 
 

@@ -86,14 +86,14 @@ def _spread(
 
     mesh, n = plan.mesh, len(plan.mesh.nodes)
     node, motion, force = list[Integers](), list[Integers](), list[Array]()
-    for number, own in enumerate(every):
-        part = own.footprint
+    for number, foot in enumerate(every):
+        part = foot.footprint
         elements = np.intersect1d(load_vectors.find_elements_near(mesh, part), plan.plate_elements)
         which = np.flatnonzero(base == number)
         table = np.zeros((n, len(which)))
         for column, direction in enumerate(way[which].tolist()):
             M = (length * (direction == 1), length * (direction == 2))
-            pressure = PointForce(own.place, float(direction == 0), M).pressure(part)
+            pressure = PointForce(foot.place, float(direction == 0), M).pressure(part)
             forces = load_vectors.integrate_over_polygon(mesh, elements, part, pressure)
             if not element.center_w:
                 forces = np.einsum("ea,eab->eb", forces, element.w_functions(mesh.xy[elements]))

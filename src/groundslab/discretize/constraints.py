@@ -39,7 +39,7 @@ LOCATION = ("node", "field", "support", "length", "depth")
 
 
 def ground_bearing(
-    model: Model, plan: Layout, unknown: Integers, found: Depths, ground: Soil | Column, gap: Array
+    model: Model, plan: Layout, unknown: Integers, depths: Depths, ground: Soil | Column, gap: Array
 ) -> Bearing:
     """Return the ground under each plate node as a bearing on its gap, yielding at the limit pressure.
 
@@ -54,18 +54,18 @@ def ground_bearing(
     under = plan.plate_nodes if by_nodes else np.zeros(0, np.int64)
     under = under[unknown[under, TOP] >= 0]  # hanging nodes have none
     limit = np.inf if model.contact.limit_pressure is None else model.contact.limit_pressure
-    depth, area = found.shallowest[under], found.at_shallowest(found.area, under)
-    bottom = np.where(np.isinf(found.depth), 0.0, found.depth)[depth]
-    limit_force = np.where(np.isinf(found.depth[depth]), 0.0, limit * area)
+    depth, area = depths.shallowest[under], depths.at_shallowest(depths.area, under)
+    bottom = np.where(np.isinf(depths.depth), 0.0, depths.depth)[depth]
+    limit_force = np.where(np.isinf(depths.depth[depth]), 0.0, limit * area)
     law = make_bearings(unknown[under, TOP], 1.0, -(gap[under] + bottom), limit_force=limit_force)
     gaps = _place(law, under, TOP, depth=depth)
-    if not (found.stepped and len(under)):
+    if not (depths.stepped and len(under)):
         return gaps
     assert isinstance(ground, Column)
-    node, depth, stiffness, area = bottoms(plan, found, ground)
+    node, depth, stiffness, area = bottoms(plan, depths, ground)
     mask = unknown[node, W] >= 0
     node, depth, stiffness, area = (values[mask] for values in (node, depth, stiffness, area))
-    law = make_bearings(unknown[node, W], -1.0, gap[node] + found.depth[depth], stiffness, limit * area)
+    law = make_bearings(unknown[node, W], -1.0, gap[node] + depths.depth[depth], stiffness, limit * area)
     return concatenate(gaps, _place(law, node, W, depth=depth))
 
 
@@ -212,13 +212,13 @@ def slip_bearing(model: Model, lines: list[JointLine], unknown: Integers) -> Bea
     return concatenate(*parts)
 
 
-def _along_joint(plan: Layout, one: int, other: int) -> tuple[Integers, Array]:
+def _along_joint(plan: Layout, plate: int, other: int) -> tuple[Integers, Array]:
     """Return the pairs of nodes (k, 2) of two plates along the line that they share, and the length of each [m]."""
     elements, n = plan.mesh.elements[plan.plate_elements], len(plan.mesh.nodes)
     across = np.full(n, -1)
     beside = np.unique(elements[plan.plate == other])
     across[plan.source[beside]] = beside
-    sides = sides_on_boundary(elements[plan.plate == one])
+    sides = sides_on_boundary(elements[plan.plate == plate])
     sides = sides[(across[plan.source[sides]] >= 0).all(axis=1)]
     a, b, middle = (plan.mesh.nodes[sides[:, k]] for k in range(3))
     length = np.linalg.norm(middle - a, axis=1) + np.linalg.norm(b - middle, axis=1)
@@ -268,9 +268,9 @@ def _without_doubles(model: Model, b: Bearing) -> Bearing:
         alike = (mine.acts, mine.gap, mine.limit) == (theirs.acts, theirs.gap, theirs.limit)
         if not alike or settled[b.support[i]] != settled[b.support[other]]:
             where = f"supports[{b.support[i] + 1}]"
-            found = f"a rigid support that meets supports[{b.support[other] + 1}], which acts or settles otherwise"
+            meeting = f"a rigid support that meets supports[{b.support[other] + 1}], which acts or settles otherwise"
             issues[where] = Issue(
-                where, found, "rigid supports that are alike where they meet", "make one of them elastic"
+                where, meeting, "rigid supports that are alike where they meet", "make one of them elastic"
             )
     if issues:
         raise InputError(list(issues.values()))
@@ -295,8 +295,8 @@ def node_at(plan: Layout, x: float, y: float) -> int:
     distance = np.linalg.norm(plan.mesh.nodes[under] - [x, y], axis=1)
     nearest = int(np.argmin(distance))
     if distance[nearest] > 10 * SAME_PLACE * np.ptp(plan.mesh.nodes, axis=0).max():
-        found = f"no node at {format_place((x, y), plan.origin)} m"
-        raise InputError([Issue("supports", found, "a mesh that meets every support")])
+        unmet_place = f"no node at {format_place((x, y), plan.origin)} m"
+        raise InputError([Issue("supports", unmet_place, "a mesh that meets every support")])
     return int(under[nearest])
 
 
@@ -308,7 +308,7 @@ def nodes_along(plan: Layout, support: LineSupport) -> tuple[Integers, Array]:
     np.add.at(lengths, sides, length[:, None] * SIMPSON)
     wanted = sum(math.dist(a, b) for a, b in itertools.pairwise(support.points))
     if abs(length.sum() - wanted) > 1e-6 * wanted:
-        found = f"sides of elements along {length.sum():g} m of a line of {wanted:g} m"
-        raise InputError([Issue("supports", found, "a mesh that meets every support")])
+        covered = f"sides of elements along {length.sum():g} m of a line of {wanted:g} m"
+        raise InputError([Issue("supports", covered, "a mesh that meets every support")])
     nodes = np.flatnonzero(lengths)
     return nodes, lengths[nodes]

@@ -86,13 +86,13 @@ def _beams(
     beam: BuildingBeams, bases: tuple[Base, ...], through: list[int], nodes: _Nodes, storey: int
 ) -> Iterator[_Member]:
     """Yield the parts of a beam on top of a storey, through bases of some numbers."""
-    for one, other in pairwise(through):
-        way = np.subtract(bases[other].place, bases[one].place)
+    for start, end in pairwise(through):
+        way = np.subtract(bases[end].place, bases[start].place)
         arms = np.zeros((2, 3))
-        arms[:, :2] = bases[one].arm(way), bases[other].arm(-way)
+        arms[:, :2] = bases[start].arm(way), bases[end].arm(-way)
         free = way + arms[1, :2] - arms[0, :2]
         across = np.array([-free[1], free[0], 0.0]) / np.linalg.norm(free)
-        yield _Member((nodes.at(one, storey), nodes.at(other, storey)), across, beam.section.properties, arms)
+        yield _Member((nodes.at(start, storey), nodes.at(end, storey)), across, beam.section.properties, arms)
 
 
 def _section_of(building: Building, base: Base, storey: int) -> tuple[Array, MemberProperties]:

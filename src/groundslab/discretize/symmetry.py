@@ -35,15 +35,15 @@ def _symmetric(model: Model, axis: int) -> bool:
         return False
     items = [_locate(load.case, shape) for load, shape in model.acting if not _is_everywhere(shape)]
     items += [(("void", void.depth), (void.x, void.y)) if void.x and void.y else None for void in model.contact.voids]
-    here, there = Counter[object](), Counter[object]()
+    here, mirrored = Counter[object](), Counter[object]()
     for item in items:
         if item is None:
             return False
         what, place = item
         here[what, _round(place, model)] += 1
         start, end = place[axis]
-        there[what, _round((*place[:axis], (-end, -start), *place[axis + 1 :]), model)] += 1
-    return here == there
+        mirrored[what, _round((*place[:axis], (-end, -start), *place[axis + 1 :]), model)] += 1
+    return here == mirrored
 
 
 def _round(place: tuple[Interval, ...], model: Model) -> tuple[float, ...]:

@@ -115,7 +115,7 @@ def initial_gap(model: Model, plan: Layout) -> Array:
     return gap
 
 
-def bottoms(plan: Layout, found: Depths, column: Column) -> tuple[Integers, Integers, Array, Array]:
+def bottoms(plan: Layout, depths: Depths, column: Column) -> tuple[Integers, Integers, Array, Array]:
     """Return what ground without shear is below voids at nodes whose own gap is a smaller one, as springs.
 
     Nodes (s,), which depth each lies at (s,), stiffnesses (s,) [N/m] and areas (s,) [m2]; none for cavities.
@@ -124,9 +124,9 @@ def bottoms(plan: Layout, found: Depths, column: Column) -> tuple[Integers, Inte
     area = integrate_over_elements(mesh, plan.plate_elements)
     k0 = np.broadcast_to(column.A0[..., 0, 0], len(mesh.elements))[plan.plate_elements]
     nodes, which, stiffness, areas = [], [], [], []
-    for k in np.flatnonzero(np.isfinite(found.depth) & (found.depth > 0)):
-        deeper: Flags = (found.area_fraction[:, [k]] > 0) & (found.shallowest[elements] < k)
-        part = np.where(deeper, found.area_fraction[:, [k]] * area, 0.0)
+    for k in np.flatnonzero(np.isfinite(depths.depth) & (depths.depth > 0)):
+        deeper: Flags = (depths.area_fraction[:, [k]] > 0) & (depths.shallowest[elements] < k)
+        part = np.where(deeper, depths.area_fraction[:, [k]] * area, 0.0)
         # the settlement of an element's center may hang on that of its other nodes
         part[:, MIDSIDES] += part[:, [8]] / 4
         part[:, 8] = 0.0

@@ -212,17 +212,17 @@ def _place_entries(
     # where the entry of a pair's fields (i, j) goes is a part that the row knows and one that the column does
     of_row = indptr[np.maximum(unknown, 0)] - earlier
     for start, stop in pairwise(cuts):
-        one, other = first[start:stop], second[start:stop]
-        exists = present[one][:, :, None] & present[other][:, None, :]
-        exists[one == other] &= upper
+        row, column = first[start:stop], second[start:stop]
+        exists = present[row][:, :, None] & present[column][:, None, :]
+        exists[row == column] &= upper
         where = np.flatnonzero(exists).astype(np.int32)
-        in_row = (of_row[one] + base[start:stop, None] - begin).astype(np.int32)
-        at = (in_row[:, :, None] + earlier[other].astype(np.int32)[:, None, :]).ravel()[where]
+        in_row = (of_row[row] + base[start:stop, None] - begin).astype(np.int32)
+        at = (in_row[:, :, None] + earlier[column].astype(np.int32)[:, None, :]).ravel()[where]
         order = np.empty_like(where)
         order[at] = where
         here = slice(begin, begin + len(where))
         taken[here] = order
-        indices[here] = unknown[other].astype(np.int32).ravel()[order // (F * F) * F + order % F]
+        indices[here] = unknown[column].astype(np.int32).ravel()[order // (F * F) * F + order % F]
         begin += len(where)
     return indices, taken
 

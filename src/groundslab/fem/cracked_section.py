@@ -149,10 +149,10 @@ def secant_stiffness(law: CrackedSections, B: Array, m: Array) -> tuple[Array, A
     return secant, M
 
 
-def law_error(found: Array, M: Array, B: Array) -> float:
+def law_error(secant: Array, M: Array, B: Array) -> float:
     """Return by how much moments (k, 2) are off those that the law gives for their curvatures, over the largest."""
     largest = float(M.max(initial=0.0))
-    return float((np.abs(found / B - 1) * M).max() / largest) if largest else 0.0
+    return float((np.abs(secant / B - 1) * M).max() / largest) if largest else 0.0
 
 
 def orthotropic_rigidity(B: Array, B_I: Array, nu: Array) -> Array:

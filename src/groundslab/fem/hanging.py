@@ -38,9 +38,9 @@ def find_hanging(elements: Integers) -> Integers:
     halves = sides[both[sides[:, :2]].any(axis=1)]
     ends, place = np.sort(halves[:, :2], axis=1), np.zeros(len(halves), dtype=np.int64)
     hanging = np.zeros(len(halves), dtype=bool)
-    for one, other in (ends.T, ends[:, ::-1].T):
-        at = np.minimum(np.searchsorted(keys[order], one * n + other), len(keys) - 1)
-        same = keys[order[at]] == one * n + other
+    for corner, other in (ends.T, ends[:, ::-1].T):
+        at = np.minimum(np.searchsorted(keys[order], corner * n + other), len(keys) - 1)
+        same = keys[order[at]] == corner * n + other
         place[same], hanging = order[at[same]], hanging | same
     place = place[hanging]
     return np.column_stack([halves[hanging, 2], near[place], middle[place], far[place]])

@@ -248,8 +248,8 @@ def locate_within(mesh: Mesh, points: Array, region: str) -> MeshLocations:
         x, y = points[tuple(index)]
         issues.append(Issue(f"point{index.tolist() or ''}", f"{format_place((x, y))} m", f"a point on {region}"))
     if len(outside) > MOST_NAMED:
-        found = f"{len(outside) - MOST_NAMED} more points outside"
-        issues.append(Issue("points", found, f"points on {region}"))
+        rest = f"{len(outside) - MOST_NAMED} more points outside"
+        issues.append(Issue("points", rest, f"points on {region}"))
     if issues:
         raise InputError(issues)
     return where

@@ -305,8 +305,8 @@ def _without_steps(problem: Problem, motions: Array) -> Array:
     # about the plates' middle, in which settlements and slopes are alike
     unit = np.linalg.qr(scale[:, None] ** -1 * motions)[0]
     field = np.argmax(links.fields[moving], axis=1)
-    one, other = (motion_rows(problem, nodes, field) for nodes in (first, second))
-    steps = (np.where(field == W, 1.0, size)[:, None] * (one - other) * scale) @ unit
+    of_first, of_second = (motion_rows(problem, nodes, field) for nodes in (first, second))
+    steps = (np.where(field == W, 1.0, size)[:, None] * (of_first - of_second) * scale) @ unit
     _, sizes, V = np.linalg.svd(np.linalg.qr(np.vstack([steps, np.zeros((unit.shape[1],) * 2)]), mode="r"))
     rank = int((sizes > 1e-9 * sizes.max(initial=0.0)).sum())
     kept: Array = scale[:, None] * (unit @ V[rank:].T)
@@ -347,8 +347,8 @@ def groups_of_plates(problem: Problem, joining: Flags) -> Integers:
     from scipy.sparse.csgraph import connected_components
 
     count = len(problem.plate.names)
-    one, other = problem.plate_at_nodes[problem.links.nodes[joining]].T
-    together = coo_array((np.ones(len(one)), (one, other)), shape=(count, count))
+    plates, others = problem.plate_at_nodes[problem.links.nodes[joining]].T
+    together = coo_array((np.ones(len(plates)), (plates, others)), shape=(count, count))
     group: Integers = connected_components(together, directed=False)[1]
     return group
 

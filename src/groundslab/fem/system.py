@@ -279,13 +279,13 @@ def _beam_blocks(s: System) -> tuple[Integers, Array]:
     sides, rank, F = s.problem.beams.sides, s.pattern.rank, s.pattern.unknown.shape[1]
     pairs, addends = [], []
     for a, c in itertools.combinations_with_replacement(range(3), 2):
-        one, other = sides[:, a], sides[:, c]
+        first, second = sides[:, a], sides[:, c]
         block = np.zeros((len(sides), F, F))
-        turned = (rank[one] > rank[other])[:, None, None]
+        turned = (rank[first] > rank[second])[:, None, None]
         blocks = np.where(turned, s.beams[:, c, a], s.beams[:, a, c])
         for pieces, fields, kept in beam_fields(s.problem):
             block[np.ix_(pieces, fields, fields)] = blocks[np.ix_(pieces, kept, kept)]
-        pairs.append(s.pattern.pairs(one, other))
+        pairs.append(s.pattern.pairs(first, second))
         addends.append(block)
     return np.concatenate(pairs), np.concatenate(addends)
 

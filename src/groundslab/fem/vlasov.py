@@ -169,10 +169,10 @@ def _steps(layer: Layer, decay2: Array) -> tuple[Array, Array]:
     dying_out = np.sqrt(decay2 * layer.shear / layer.oedometric_ratio) * layer.thickness
     n = math.ceil(max(np.where(varies > 0, STEPS * (varies + dying_out / 4), 1.0)))
     h, offset = layer.thickness / n, np.array([-1, 1]) / math.sqrt(12)
-    one, two = (layer.E(1 - (np.arange(n)[:, None] + 0.5 + share) / n) for share in offset)
-    compliance = h / 2 / layer.oedometric_ratio * (1 / one + 1 / two)
-    shear = h / 2 * layer.shear * (one + two)
-    commutator = h**2 * math.sqrt(3) / 12 * layer.shear / layer.oedometric_ratio * (one / two - two / one)
+    E_1, E_2 = (layer.E(1 - (np.arange(n)[:, None] + 0.5 + share) / n) for share in offset)
+    compliance = h / 2 / layer.oedometric_ratio * (1 / E_1 + 1 / E_2)
+    shear = h / 2 * layer.shear * (E_1 + E_2)
+    commutator = h**2 * math.sqrt(3) / 12 * layer.shear / layer.oedometric_ratio * (E_1 / E_2 - E_2 / E_1)
     f, slope = _tanh_share(decay2**2 * commutator**2 + decay2 * compliance * shear)
     d_f = slope * (2 * decay2 * commutator**2 + compliance * shear)
     none = np.zeros_like(shear)
@@ -292,8 +292,10 @@ class Soil:
             worst = np.atleast_2d(right).all(axis=1).argmin()
             k0, k1 = np.atleast_2d(k0)[worst], np.atleast_2d(k1)[worst]
             gamma = float(np.ravel(gammas)[worst if np.ndim(gammas) else 0])
-            found = f'"as printed", which gives k0 = {k0} Pa/m and k1 = {k1} Pa m at gamma = {gamma:.4g}'
-            raise InputError([Issue("ground.formulas", found, "formulas without misprints", 'use formulas = "exact"')])
+            misprinted = f'"as printed", which gives k0 = {k0} Pa/m and k1 = {k1} Pa m at gamma = {gamma:.4g}'
+            raise InputError(
+                [Issue("ground.formulas", misprinted, "formulas without misprints", 'use formulas = "exact"')]
+            )
         return k0, k1
 
     def _look_up(self, gamma: float) -> tuple[Array, Array]:

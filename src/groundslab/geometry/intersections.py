@@ -86,10 +86,10 @@ def find_self_meeting(curve: Sequence[Segment], tolerance: float, spend: Spend) 
     return None
 
 
-def find_meeting(one: Region, other: Sequence[Segment], tolerance: float, spend: Spend) -> Place | None:
+def find_meeting(region: Region, other: Sequence[Segment], tolerance: float, spend: Spend) -> Place | None:
     """Return a place at which two curves meet."""
     for edge in other:
-        near = [one.edges[k] for k in one.find_near(edge, tolerance)]
+        near = [region.edges[k] for k in region.find_near(edge, tolerance)]
         place = _first_meeting(edge, near, tolerance, spend)
         if place is not None:
             return place

@@ -32,20 +32,20 @@ def nearest_distance(places: Array, among: Array, reach: float) -> Array:
     return np.where(squared < reach**2, np.sqrt(squared), np.inf)
 
 
-def nearest_of_same(some: Array, among: Array) -> tuple[Integers, Array]:
+def nearest_of_same(points: Array, among: Array) -> tuple[Integers, Array]:
     """Return for each of some places (k, 2) which of others (n, 2) is nearest, and its distance (k,) [m].
 
     Places that are the same but for rounding are found by sorting.
     """
     step = ROUNDED * float(np.ptp(among, axis=0).max()) or 1.0
     low = among.min(axis=0)
-    keys, wanted = (np.round((places - low) / step).astype(np.int64) @ [2**31, 1] for places in (among, some))
+    keys, wanted = (np.round((places - low) / step).astype(np.int64) @ [2**31, 1] for places in (among, points))
     order = np.argsort(keys)
     at = order[np.minimum(np.searchsorted(keys, wanted, sorter=order), len(keys) - 1)]
-    distance = np.hypot(*(some - among[at]).T)
+    distance = np.hypot(*(points - among[at]).T)
     if distance.max(initial=0.0) <= step / 100:
         return at, distance
     from scipy.spatial import KDTree
 
-    far, nearest = KDTree(among).query(some)
+    far, nearest = KDTree(among).query(points)
     return np.asarray(nearest, dtype=np.int64), far

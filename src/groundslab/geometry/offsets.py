@@ -74,9 +74,9 @@ def inset(ring: Ring, distance: float) -> Ring:
 def _corner(before: Segment, after: Segment, distance: float, number: int) -> Place:
     """Return the corner to the left of where two edges meet."""
     here = np.array(after.start)
-    one, other = before.left(np.array([1.0]))[0], after.left(np.array([0.0]))[0]
-    cosine = float(one @ other)
-    place: Array = here + distance * (one + other) / (1 + cosine)
+    normal_before, normal_after = before.left(np.array([1.0]))[0], after.left(np.array([0.0]))[0]
+    cosine = float(normal_before @ normal_after)
+    place: Array = here + distance * (normal_before + normal_after) / (1 + cosine)
     turns = abs(math.remainder(after.direction(0.0) - before.direction(1.0), 2 * math.pi)) > SMOOTH
     if turns and not (before.straight and after.straight):
         place = _meet((before, after), distance, place, number)

@@ -78,8 +78,8 @@ def _find_ring_issues(name: str, ring: Ring, extent: float) -> Iterator[Issue]:
     edges = ring.segments()
     short = [edge for edge in edges if edge.length <= NO_LENGTH * extent]
     for edge in short:
-        found = f"an edge without length at {format_place(edge.start)}"
-        yield Issue(name, found, "points apart from each other", "leave one out")
+        zero_edge = f"an edge without length at {format_place(edge.start)}"
+        yield Issue(name, zero_edge, "points apart from each other", "leave one out")
     if short:
         return
     polygon = ring.polygon(FLAT * extent)
@@ -92,16 +92,16 @@ def _find_ring_issues(name: str, ring: Ring, extent: float) -> Iterator[Issue]:
         turn = (after.direction(0.0) - before.direction(1.0)) % (2 * math.pi)
         angle = abs(math.pi - turn)
         if angle < TOO_SHARP:
-            found = f"an angle of {math.degrees(angle):.2g} degrees at {format_place(after.start)}"
-            yield Issue(name, found, f"at least {math.degrees(TOO_SHARP):.0f} degrees", "cut the corner off")
+            sharp_corner = f"an angle of {math.degrees(angle):.2g} degrees at {format_place(after.start)}"
+            yield Issue(name, sharp_corner, f"at least {math.degrees(TOO_SHARP):.0f} degrees", "cut the corner off")
 
 
 def _find_line_issues(plan: Plan) -> Iterator[Issue]:
     for i, line in enumerate(plan.lines, start=1):
         for a, b in pairwise(line):
             if math.dist(a, b) <= NO_LENGTH * plan.extent:
-                found = f"a piece without length at {format_place(a)}"
-                yield Issue(f"plate.lines[{i}]", found, "points apart from each other")
+                zero_piece = f"a piece without length at {format_place(a)}"
+                yield Issue(f"plate.lines[{i}]", zero_piece, "points apart from each other")
 
 
 def _meeting(a: Polygon, b: Polygon) -> str:
@@ -128,8 +128,8 @@ def _find_opening_issues(plan: Plan, flat: dict[str, Polygon]) -> Iterator[Issue
         if not outline.intersects(opening) or outline.touches(opening):
             yield Issue(name, "an opening outside the plate", "one inside", "move it or leave it out")
         elif outline.boundary.intersects(opening.boundary):
-            found = f"an opening that touches or crosses the plate's edge at {_meeting(opening, outline)}"
-            yield Issue(name, found, "one inside the plate", hint)
+            crossing = f"an opening that touches or crosses the plate's edge at {_meeting(opening, outline)}"
+            yield Issue(name, crossing, "one inside the plate", hint)
         elif opening.contains(outline):
             yield Issue(name, "an opening around the plate", "one inside the plate")
         elif (gap := outline.boundary.distance(opening)) < near:
@@ -139,15 +139,15 @@ def _find_opening_issues(plan: Plan, flat: dict[str, Polygon]) -> Iterator[Issue
             if opening.intersects(flat[other]):
                 inside = opening.contains(flat[other]) or flat[other].contains(opening)
                 place = "inside the other" if inside else f"at {_meeting(opening, flat[other])}"
-                found = f"an opening that meets {other}, {place}"
-                yield Issue(name, found, "openings apart from each other", "draw them as one")
+                meeting = f"an opening that meets {other}, {place}"
+                yield Issue(name, meeting, "openings apart from each other", "draw them as one")
             elif (gap := opening.distance(flat[other])) < near:
                 yield _narrow_strip(name, other, shapely.shortest_line(opening, flat[other]).coords[0], gap, near)
 
 
 def _narrow_strip(name: str, other: str, place: Place, gap: float, near: float) -> Issue:
-    found = f"{gap:.3g} m between it and {other} at {format_place(place)}"
-    return Issue(name, found, f"nothing, or at least {near:.3g} m", "so narrow a strip cannot be meshed")
+    narrow_gap = f"{gap:.3g} m between it and {other} at {format_place(place)}"
+    return Issue(name, narrow_gap, f"nothing, or at least {near:.3g} m", "so narrow a strip cannot be meshed")
 
 
 def _outlines(flat: dict[str, Polygon]) -> Any:
@@ -175,8 +175,8 @@ def _find_zone_issues(plan: Plan, flat: dict[str, Polygon]) -> Iterator[Issue]:
         left = outline.difference(flat["beyond"].buffer(2 * FLAT * plan.extent))
         if not left.is_empty:
             place = left.representative_point()
-            found = f"an edge that leaves out the plate at {format_place((place.x, place.y))}"
-            yield Issue("beyond", found, "one around the plate", "the ground must lie under all of the plate")
+            uncovered = f"an edge that leaves out the plate at {format_place((place.x, place.y))}"
+            yield Issue("beyond", uncovered, "one around the plate", "the ground must lie under all of the plate")
 
 
 def _find_place_issues(plan: Plan, flat: dict[str, Polygon]) -> Iterator[Issue]:
@@ -195,8 +195,8 @@ def _find_place_issues(plan: Plan, flat: dict[str, Polygon]) -> Iterator[Issue]:
         left = shapely.union_all(flatten(line, FLAT * plan.extent)).difference(plate)
         if not left.is_empty:
             place = left.representative_point()
-            found = f"a line that leaves the plate at {format_place((place.x, place.y))}"
-            yield Issue(f"plate.lines[{i}]", found, "one on the plate", "end it at the edge")
+            leaving = f"a line that leaves the plate at {format_place((place.x, place.y))}"
+            yield Issue(f"plate.lines[{i}]", leaving, "one on the plate", "end it at the edge")
 
 
 def _name_edges(plan: Plan) -> list[tuple[str, Segment]]:
@@ -264,24 +264,24 @@ def _find_narrow_wedges(plan: Plan) -> Iterator[Issue]:
     meetings = shapely.STRtree(boxes).query(boxes)
     meetings = meetings[:, (curve[meetings[0]] != curve[meetings[1]]) & (meetings[0] < meetings[1])]
     if meetings.shape[1] > MOST_MEETINGS:
-        found = f"{meetings.shape[1]:,} places where edges of openings, zones and supports come together"
-        yield Issue("plate.outline", found, f"at most {MOST_MEETINGS:,}", "draw what overlaps as one")
+        excess = f"{meetings.shape[1]:,} places where edges of openings, zones and supports come together"
+        yield Issue("plate.outline", excess, f"at most {MOST_MEETINGS:,}", "draw what overlaps as one")
         return
     meetings = meetings[:, shapely.dwithin(np.array(flat)[meetings[0]], np.array(flat)[meetings[1]], same)]
     meetings = np.hstack([meetings, meetings[::-1]])
     for i, j in meetings.T.tolist():
-        (name, one), (other, two) = edges[i], edges[j]
+        (name, first), (other, second) = edges[i], edges[j]
         pair = min(name, other), max(name, other)
         if pair in seen:
             continue
         place = shapely.shortest_line(flat[i], flat[j]).coords[0]
         # a border that only touches another edge parts from it slowly at first; it can be left out, a drawn edge not
         steps = step * np.array([0.25, 1.0] if "borders" in name + other else [1.0])
-        parts, steps = one.part(place) + np.array([[-1], [1]]) * steps / one.length, np.stack([steps, steps])
+        parts, steps = first.part(place) + np.array([[-1], [1]]) * steps / first.length, np.stack([steps, steps])
         inside = (parts >= 0) & (parts <= 1)
-        away = two.distance(one.at(parts[inside]))
+        away = second.distance(first.at(parts[inside]))
         if ((away > same) & (away < steps[inside] * math.sin(TOO_SHARP))).any():
             seen.add(pair)
             sharp = f"at less than {math.degrees(TOO_SHARP):.0f} degrees"
-            found = f"an edge that parts from {other} at {format_place(place)} {sharp}"
-            yield Issue(name, found, "a larger angle, or the same edge", "so narrow a wedge cannot be meshed")
+            parting = f"an edge that parts from {other} at {format_place(place)} {sharp}"
+            yield Issue(name, parting, "a larger angle, or the same edge", "so narrow a wedge cannot be meshed")

@@ -169,8 +169,8 @@ def translator(language: Language, names: Iterable[str] = ()) -> Translator:
 
 def page_messages(language: Language, wanted: Container[str] | None = None) -> dict[str, Any]:
     """Return what a page needs to say its own words: all messages, or those wanted."""
-    known = messages(language) if language != "en" else {}
-    chosen = {key: value for key, value in known.items() if wanted is None or key in wanted}
+    translated = messages(language) if language != "en" else {}
+    chosen = {key: value for key, value in translated.items() if wanted is None or key in wanted}
     return {"language": language, "messages": chosen}
 
 

@@ -98,13 +98,13 @@ def _neighbours(edges: list[Segment], distance: float) -> list[tuple[int, int]]:
     return sorted((i, j) for i, j in pairs.tolist() if i < j)
 
 
-def _cut(one: Segment, two: Segment, cuts: set[int], others: set[int], vertices: Vertices) -> None:
+def _cut(first: Segment, second: Segment, cuts: set[int], others: set[int], vertices: Vertices) -> None:
     """Add the places where two edges cross to the ends of the pieces of both."""
     shared = [vertices.places[k] for k in cuts & others]
-    for place in find_crossings(one, two):
+    for place in find_crossings(first, second):
         if any(math.dist(place, end) <= vertices.end for end in shared):
             continue
-        if all(edge.holds(place, 2 * vertices.same) for edge in (one, two)):
+        if all(edge.holds(place, 2 * vertices.same) for edge in (first, second)):
             k = vertices.number(place, vertices.near)
             cuts.add(k)
             others.add(k)

@@ -34,10 +34,10 @@ def choose() -> Maker:
             return maker
         if not isinstance(error, ModuleNotFoundError):
             broken.append(f"a {name} that cannot be loaded ({error})")
-    found = " and ".join(["a plan with oblique edges or arcs", *broken])
+    obstacles = " and ".join(["a plan with oblique edges or arcs", *broken])
     system = f" (on Debian and Ubuntu with apt-get install {gmsh.SYSTEM_LIBRARIES})"
     hint = f"pip install groundslab[mesh]{system}, or pip install groundslab[netgen]"
-    raise InputError([Issue("mesh", found, "Gmsh or Netgen to mesh it", hint)])
+    raise InputError([Issue("mesh", obstacles, "Gmsh or Netgen to mesh it", hint)])
 
 
 def available() -> bool:

@@ -144,12 +144,12 @@ def _crossing(chords: Chords) -> Integers:
     import shapely
 
     lines = shapely.linestrings(chords.nodes[chords.ends])
-    one, two = shapely.STRtree(lines).query(lines, predicate="intersects")
-    one, two = one[one < two], two[one < two]
-    shared = (chords.ends[one][:, :, None] == chords.ends[two][:, None, :]).sum(axis=(1, 2))
-    apart = shapely.length(shapely.intersection(lines[one], lines[two])) > 0
+    first, second = shapely.STRtree(lines).query(lines, predicate="intersects")
+    first, second = first[first < second], second[first < second]
+    shared = (chords.ends[first][:, :, None] == chords.ends[second][:, None, :]).sum(axis=(1, 2))
+    apart = shapely.length(shapely.intersection(lines[first], lines[second])) > 0
     wrong = (shared == 0) | (shared == 2) | ((shared == 1) & apart)
-    numbers: Integers = np.unique(np.concatenate([one[wrong], two[wrong]]))
+    numbers: Integers = np.unique(np.concatenate([first[wrong], second[wrong]]))
     return numbers
 
 

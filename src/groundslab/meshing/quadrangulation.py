@@ -225,7 +225,7 @@ def improve(nodes: Array, quadrilaterals: Integers, drawn: FixedSides) -> None:
 
 
 def add_midside_nodes(
-    nodes: Array, quadrilaterals: Integers, drawn: FixedSides, known: tuple[Integers, int] | None = None
+    nodes: Array, quadrilaterals: Integers, drawn: FixedSides, numbered: tuple[Integers, int] | None = None
 ) -> tuple[Array, Integers]:
     """Return nodes and elements with nodes at the middles of sides and of elements added.
 
@@ -236,9 +236,9 @@ def add_midside_nodes(
     sides = sides_of(quadrilaterals, n)
     keys, number = np.unique(sides, return_inverse=True)
     new, middle = np.ones(len(keys), dtype=bool), np.zeros(len(keys), dtype=np.int64)
-    if known is not None:
-        existing = np.flatnonzero(np.isin(keys, known[0]))
-        new[existing], middle[existing] = False, known[1] + np.searchsorted(known[0], keys[existing])
+    if numbered is not None:
+        existing = np.flatnonzero(np.isin(keys, numbered[0]))
+        new[existing], middle[existing] = False, numbered[1] + np.searchsorted(numbered[0], keys[existing])
     middle[new] = n + np.arange(new.sum())
     places = np.concatenate([nodes, middles_of(nodes, keys[new], drawn)])
     eight = np.column_stack([quadrilaterals, middle[number.reshape(sides.shape)]])

@@ -99,11 +99,14 @@ def close(mesh: Mesh, marked: Flags, whole: Integers) -> Flags:
     here, side = np.nonzero(is_whole[elements[:, 4:8]])
     across = larger[elements[here, 4 + side]]
     pairs = here != across
-    one, other = np.concatenate([small, here[pairs], across[pairs]]), np.concatenate([on, across[pairs], here[pairs]])
+    leading, following = (
+        np.concatenate([small, here[pairs], across[pairs]]),
+        np.concatenate([on, across[pairs], here[pairs]]),
+    )
     cut, before = marked.copy(), np.zeros(m, dtype=bool)
     while (cut != before).any():
         before = cut.copy()
-        cut[other[cut[one]]] = True
+        cut[following[cut[leading]]] = True
     return cut
 
 

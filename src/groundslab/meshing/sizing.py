@@ -61,11 +61,11 @@ def sources(plan: Plan, size: float, edge_size: float, across: float = ACROSS) -
     return np.concatenate(places), np.concatenate(sizes)
 
 
-def join(one: Sources, other: Sources | None) -> Sources:
+def join(first: Sources, other: Sources | None) -> Sources:
     """Return the places of both, and the sizes around them."""
     if other is None:
-        return one
-    return np.concatenate([one[0], other[0]]), np.concatenate([one[1], other[1]])
+        return first
+    return np.concatenate([first[0], other[0]]), np.concatenate([first[1], other[1]])
 
 
 def along(ring: Ring, spacing: float) -> Array:
@@ -75,12 +75,12 @@ def along(ring: Ring, spacing: float) -> Array:
     return np.concatenate([edge.at(np.arange(n) / n) for edge, n in zip(edges, counts, strict=True)])
 
 
-def growth_distance(plan: Plan, given: float | None) -> float:
+def growth_distance(plan: Plan, growth: float | None) -> float:
     """Return the distance from the plate at which elements are twice as large [m]."""
-    if given is not None and not given > 0:
-        raise InputError([Issue("mesh.beyond_growth", f"{given!r}", "a length greater than 0")])
+    if growth is not None and not growth > 0:
+        raise InputError([Issue("mesh.beyond_growth", f"{growth!r}", "a length greater than 0")])
     x0, y0, x1, y1 = plan.plate_polygon(FLAT * plan.extent).bounds
-    return max(x1 - x0, y1 - y0) / 2 if given is None else given
+    return max(x1 - x0, y1 - y0) / 2 if growth is None else growth
 
 
 def limit_of(smaller: Sources, size: float, slope: float = GRADING) -> Callable[[Array], Array]:

@@ -23,7 +23,7 @@ TOO_LARGE = 2**0.5
 MOST_TIMES = 12
 
 
-def divide(plan: Plan, found: PlanMesh, size: float, local: Sources | None, slope: float = SLOPE) -> PlanMesh:
+def divide(plan: Plan, plan_mesh: PlanMesh, size: float, local: Sources | None, slope: float = SLOPE) -> PlanMesh:
     """Return a mesh whose elements are cut up where they are larger than local sizes allow.
 
     Nothing hangs on edges, lines and arcs of the plan: what lies on both sides of them is cut alike. Along arcs, where
@@ -37,7 +37,7 @@ def divide(plan: Plan, found: PlanMesh, size: float, local: Sources | None, slop
     arcs = [edge for edge in edges + borders if not edge.straight]
     rings = [edge for edge in borders if not edge.straight]
     limit = None if local is None else limit_of(local, size, slope)
-    mesh, section = Mesh(found.nodes, found.elements), found.section
+    mesh, section = Mesh(plan_mesh.nodes, plan_mesh.elements), plan_mesh.section
     for _ in range(MOST_TIMES):
         marked = np.zeros(len(mesh.elements), dtype=bool)
         if limit is not None:

@@ -114,8 +114,8 @@ def check_surface_count(
         if surfaces > MOST_SURFACES:
             yield RelativeIssue(("ground", "layers"), f"{surfaces} layers and sublayers", f"at most {MOST_SURFACES}")
         elif on_plate <= MOST_ELEMENTS < on_plate * surfaces:
-            found = f"{surfaces} layers and sublayers on about {on_plate:.3g} elements"
-            yield RelativeIssue(("ground", "layers"), found, f"at most {MOST_ELEMENTS:,} for the product of both")
+            product = f"{surfaces} layers and sublayers on about {on_plate:.3g} elements"
+            yield RelativeIssue(("ground", "layers"), product, f"at most {MOST_ELEMENTS:,} for the product of both")
 
 
 def check_shear_of_layers(
@@ -161,14 +161,14 @@ def check_continuum(
             repairs = (remove((name,)),)
             yield RelativeIssue((name,), f"{name} in {quote(ground.kind)} ground", "no such", hint, repairs)
     if beyond.kind == "margin" and (beyond.edge == "fixed" or beyond.sides != SIDES):
-        found = "a margin that ends" if beyond.edge == "fixed" else "ground beyond some sides"
+        margin = "a margin that ends" if beyond.edge == "fixed" else "ground beyond some sides"
         expected = 'kind = "infinite", as this ground has no end on any side'
         edits = (
             Edit("set", ("beyond", "kind"), "infinite"),
             *(Edit("remove", ("beyond", key)) for key in ("edge", "sides")),
         )
         repairs = (Repair('set beyond.kind to "infinite"', edits),)
-        yield RelativeIssue(("beyond",), found, expected, "width says how much of it is shown", repairs)
+        yield RelativeIssue(("beyond",), margin, expected, "width says how much of it is shown", repairs)
 
 
 def check_contact_voids(plate: Plate, plates: tuple[FurtherPlate, ...], contact: Contact) -> Iterator[RelativeIssue]:
@@ -279,13 +279,13 @@ def check_supports(
     called |= {f"plate.lines[{n}]": number for n, number in enumerate(lines, start=1)}
     for issue in find_issues(plan_of_plate(plate, supports, plates=plates)):
         met = next((name for name in called if name in issue.found), None)
-        found = issue.found if met is None else issue.found.replace(met, f"supports[{called[met] + 1}]")
+        text = issue.found if met is None else issue.found.replace(met, f"supports[{called[met] + 1}]")
         if issue.location in called:
-            yield RelativeIssue(("supports", called[issue.location]), found, issue.expected, issue.hint)
+            yield RelativeIssue(("supports", called[issue.location]), text, issue.expected, issue.hint)
         elif met is not None:
             # what comes near another is reported for either of the two; a zone meets a support, too
-            found = issue.found.replace(met, issue.location)
-            yield RelativeIssue(("supports", called[met]), found, issue.expected, issue.hint)
+            text = issue.found.replace(met, issue.location)
+            yield RelativeIssue(("supports", called[met]), text, issue.expected, issue.hint)
 
 
 def check_settlement_loads(loads: tuple[AnyLoad, ...], supports: tuple[AnySupport, ...]) -> Iterator[RelativeIssue]:
@@ -337,8 +337,8 @@ def check_sections_with_plates(
         yield RelativeIssue(("ground", "selvadurai"), "soil that gives the k of one plate", "k", hint)
     for name, section in {"soil_strength": soil_strength, "cracking": cracking}.items():
         if section is not None:
-            found, repairs = f"{name} with several plates", (remove((name,)),)
-            yield RelativeIssue((name,), found, f"no {name}", "it is for a single plate", repairs)
+            section_with_plates, repairs = f"{name} with several plates", (remove((name,)),)
+            yield RelativeIssue((name,), section_with_plates, f"no {name}", "it is for a single plate", repairs)
 
 
 def check_supports_on_joints(
@@ -363,8 +363,8 @@ def check_supports_on_joints(
                 held = line.intersects(Point(support.points[0]))
             if held:
                 hint = "two supports, one on either side, hold both plates"
-                found = f"a support on the joint {quote(joint.title)}"
-                yield RelativeIssue(("supports", position), found, "a support on one of the plates", hint)
+                on_joint = f"a support on the joint {quote(joint.title)}"
+                yield RelativeIssue(("supports", position), on_joint, "a support on one of the plates", hint)
 
 
 def check_glued_joints(
@@ -378,8 +378,8 @@ def check_glued_joints(
             hint = "glued to the surface of ground that carries shear both sides settle as it does"
             expected = "a hinge, or contact.tensionless = true"
             repairs = (set_value(("contact", "tensionless"), True),)
-            found = "an elastic joint without effect"
-            yield RelativeIssue(("joints", position, "kind"), found, expected, hint, repairs)
+            idle_joint = "an elastic joint without effect"
+            yield RelativeIssue(("joints", position, "kind"), idle_joint, expected, hint, repairs)
 
 
 #: Of plates, joints and their mesh.

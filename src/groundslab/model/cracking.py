@@ -55,9 +55,9 @@ def check_cracking(
     if cracking is None:
         return
     if reinforcement is None or reinforcement.base_bars("bottom_x") is None:
-        found = "no [reinforcement]" if reinforcement is None else "reinforcement without bars"
+        missing = "no [reinforcement]" if reinforcement is None else "reinforcement without bars"
         hint = "reinforcement.bottom_x = { diameter = ..., spacing = ... }, and so on"
-        yield RelativeIssue(("cracking",), found, "bars provided in all four layers", hint)
+        yield RelativeIssue(("cracking",), missing, "bars provided in all four layers", hint)
     if analysis.increments > 1:
         hint = "a secant stiffness belongs to the full load"
         yield RelativeIssue(("analysis", "increments"), f"{analysis.increments}", "1, as there is [cracking]", hint)

@@ -44,9 +44,9 @@ class Selvadurai(Section):
 
 def _check_stiffness(k: float | None, selvadurai: Selvadurai | None) -> Iterator[RelativeIssue]:
     if (k is None) == (selvadurai is None):
-        found = "neither k nor selvadurai" if k is None else "both k and selvadurai"
+        stated = "neither k nor selvadurai" if k is None else "both k and selvadurai"
         repairs = () if k is None else (remove(("selvadurai",)), remove(("k",)))
-        yield RelativeIssue((), found, "exactly one of k and selvadurai", repairs=repairs)
+        yield RelativeIssue((), stated, "exactly one of k and selvadurai", repairs=repairs)
 
 
 class Winkler(Section):
@@ -143,14 +143,14 @@ def _check_vlasov_sublayers(layers: tuple[SoilLayer, ...]) -> Iterator[RelativeI
 
 def _check_mode(layers: tuple[SoilLayer, ...], mode: str) -> Iterator[RelativeIssue]:
     if mode == "sinh" and len(layers) > 1:
-        found, hint = f'"sinh" with {len(layers)} layers', "the sinh mode is exact for one layer"
-        yield RelativeIssue(("mode",), found, 'one layer, or mode = "profile"', hint)
+        mode_and_layers, hint = f'"sinh" with {len(layers)} layers', "the sinh mode is exact for one layer"
+        yield RelativeIssue(("mode",), mode_and_layers, 'one layer, or mode = "profile"', hint)
 
 
 def _check_formulas(layers: tuple[SoilLayer, ...], formulas: str) -> Iterator[RelativeIssue]:
     if formulas == "as printed" and len(layers) > 1:
-        found = f'"as printed" with {len(layers)} layers'
-        yield RelativeIssue(("formulas",), found, 'one layer, or formulas = "exact"')
+        formulas_and_layers = f'"as printed" with {len(layers)} layers'
+        yield RelativeIssue(("formulas",), formulas_and_layers, 'one layer, or formulas = "exact"')
 
 
 class Vlasov(Section):
@@ -258,9 +258,9 @@ def _check_continuum(layers: tuple[SoilLayer, ...], half_space: HalfSpace | None
     moduli = [modulus for layer in layers for modulus in (layer.E, layer.E_bottom) if modulus is not None]
     moduli += [] if half_space is None else [half_space.E]
     if moduli and max(moduli) > MOST_CONTRAST * min(moduli):
-        found = f"moduli from {min(moduli):.3g} to {max(moduli):.3g} Pa"
+        moduli_range = f"moduli from {min(moduli):.3g} to {max(moduli):.3g} Pa"
         hint = "anything so much stiffer is a rigid base"
-        yield RelativeIssue((), found, f"moduli that differ by a factor of at most {MOST_CONTRAST:g}", hint)
+        yield RelativeIssue((), moduli_range, f"moduli that differ by a factor of at most {MOST_CONTRAST:g}", hint)
 
 
 class Continuum(Section):

@@ -222,8 +222,8 @@ class Model(Section):
     def spans_of_walls(self) -> dict[str, Ways]:
         """Return where walls with a height span openings of the plates, from way to way along each by its name [m]."""
         stiff = (wall for wall in self.placed_walls if wall.height is not None)
-        found = {wall.name: spans_of(as_beam(wall), self.plate, self.plates) for wall in stiff}
-        return {name: spans for name, spans in found.items() if spans}
+        by_name = {wall.name: spans_of(as_beam(wall), self.plate, self.plates) for wall in stiff}
+        return {name: spans for name, spans in by_name.items() if spans}
 
     @property
     def building_lines(self) -> tuple[tuple[Place, ...], ...]:

@@ -252,9 +252,9 @@ def _check_beams(covered: PlateRegion, strips: tuple[OutputStrip, ...]) -> Itera
             yield RelativeIssue(("output", "strips", position), "a beam off the plate", "one whose axis lies on it")
         beside = strip.area().buffer(near, cap_style="flat").difference(every).intersection(covered.area)
         if beside.buffer(-near / 4).area > 0:
-            found, expected = "a beam beside which the plate goes on", "one that reaches from edge to edge"
+            narrow_beam, expected = "a beam beside which the plate goes on", "one that reaches from edge to edge"
             hint = 'widen it, give the beams that cross it, too, or design = "plate"'
-            yield RelativeIssue(("output", "strips", position, "width"), found, expected, hint)
+            yield RelativeIssue(("output", "strips", position, "width"), narrow_beam, expected, hint)
         yield from (issue.below(("output", "strips", position)) for issue in _check_beam(covered, strip, beams))
 
 
@@ -267,8 +267,8 @@ def _check_beam(
     across = (on_plate.bounds[3 - along] - on_plate.bounds[1 - along]) if on_plate.area else 0.0
     thickest = max(slab.thickness for slab in covered.every)
     if across > WIDEST * thickest * (1 + AT_EDGE):
-        found, expected = f"a beam {across:.4g} m wide", f"at most {WIDEST * thickest:.4g} m, five times the thickness"
-        yield RelativeIssue(("width",), found, expected, 'what is wider is a slab: design = "plate"')
+        width, expected = f"a beam {across:.4g} m wide", f"at most {WIDEST * thickest:.4g} m, five times the thickness"
+        yield RelativeIssue(("width",), width, expected, 'what is wider is a slab: design = "plate"')
     for _, other in beams:
         if other is strip or int(other.start[0] == other.end[0]) != along:
             continue

@@ -118,8 +118,8 @@ def _check_hinged_edges(outline: AnyShape | None, support: str) -> Iterator[Rela
         return
     for edge in outline.ring().segments():
         if not (edge.straight and edge.along_axis):
-            found = f'"hinged" on the edge from {format_place(edge.start)} to {format_place(edge.end)} m'
-            yield RelativeIssue(("support",), found, 'edges along x or y, or support = "soft" (w = 0) or "clamped"')
+            hinge = f'"hinged" on the edge from {format_place(edge.start)} to {format_place(edge.end)} m'
+            yield RelativeIssue(("support",), hinge, 'edges along x or y, or support = "soft" (w = 0) or "clamped"')
             return
 
 

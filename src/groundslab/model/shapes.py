@@ -57,8 +57,8 @@ def _check_crossings(points: tuple[tuple[float, float], ...], bulges: tuple[floa
     if size > 0:
         reason = explain_validity(ring.polygon(CHORD * size))
     if reason != "Valid Geometry":
-        found = reason.replace("[", " at (").replace("]", ") m").lower()
-        yield RelativeIssue(("points",), found, "a curve that neither crosses nor touches itself")
+        crossing = reason.replace("[", " at (").replace("]", ") m").lower()
+        yield RelativeIssue(("points",), crossing, "a curve that neither crosses nor touches itself")
 
 
 class Polygon(Section):

@@ -364,5 +364,5 @@ def check_piles(ground: AnyGround, supports: tuple[AnySupport, ...]) -> Iterator
         depth = sum(layer.thickness for layer in ground.layers)
         if getattr(ground, "half_space", None) is None and pile.length >= depth:
             hint = 'a pile on the rigid base is a support of kind "point", with E A / l as its stiffness'
-            found = f"{pile.length:g} m, with layers of {depth:g} m"
-            yield RelativeIssue((*place, "length"), found, "a pile that ends in the layers", hint)
+            long_pile = f"{pile.length:g} m, with layers of {depth:g} m"
+            yield RelativeIssue((*place, "length"), long_pile, "a pile that ends in the layers", hint)

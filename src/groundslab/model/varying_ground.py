@@ -139,9 +139,9 @@ def check_pit_depth(
         path = ("plate",) if position < 0 else ("plates", position)
         for pit in pits_of(slab):
             if depths and pit.deeper >= DEEPEST_PIT * min(depths):
-                found = f"an underside {pit.deeper:g} m deeper than the slab's, in layers of {min(depths):g} m"
+                deep_pit = f"an underside {pit.deeper:g} m deeper than the slab's, in layers of {min(depths):g} m"
                 expected = f"at most {DEEPEST_PIT * min(depths):g} m, so that soil is left below it"
-                yield RelativeIssue((*path, "zones", pit.number - 1, "level"), found, expected)
+                yield RelativeIssue((*path, "zones", pit.number - 1, "level"), deep_pit, expected)
 
 
 def check_boreholes(
@@ -153,8 +153,8 @@ def check_boreholes(
     layers = ground.layers if isinstance(ground, Vlasov | Layered | ConstrainedModulus) else ()
     if not layers or any(isinstance(layer, InterfaceLayer) for layer in layers):
         expected = "ground of layers given by E, nu and thickness"
-        found, repairs = f"boreholes in {quote(ground.kind)} ground without soil layers", (remove(("boreholes",)),)
-        yield RelativeIssue(("boreholes",), found, expected, repairs=repairs)
+        no_layers, repairs = f"boreholes in {quote(ground.kind)} ground without soil layers", (remove(("boreholes",)),)
+        yield RelativeIssue(("boreholes",), no_layers, expected, repairs=repairs)
         return
     if soil_zones:
         hint, either = "a borehole says what the soil is there", (remove(("soil_zones",)), remove(("boreholes",)))
@@ -165,10 +165,10 @@ def check_boreholes(
     seen: dict[tuple[float, float], int] = {}
     for position, hole in enumerate(boreholes):
         if len(hole.layers) != len(layers):
-            found = f"{len(hole.layers)} layers"
+            layer_count = f"{len(hole.layers)} layers"
             expected = f"{len(layers)}, as many as the ground has"
             hint = "a layer that is missing there has a thickness of 0 m"
-            yield RelativeIssue(("boreholes", position, "layers"), found, expected, hint)
+            yield RelativeIssue(("boreholes", position, "layers"), layer_count, expected, hint)
         for number, (layer, wanted) in enumerate(zip(hole.layers, layers, strict=False)):
             assert isinstance(wanted, SoilLayer)
             if layer.sublayers not in (1, wanted.sublayers):

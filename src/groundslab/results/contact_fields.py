@@ -42,8 +42,8 @@ def contact_fields(solution: Solution, frame: ResultMesh) -> tuple[dict[str, Arr
     share = frame.mean * areas(frame.mesh.xy)[:, None]
 
     def by_element(values: Array) -> Array:
-        found: Array = np.einsum("ed,ead->ea", problem.contact.depths.area_fraction, values[of])
-        return found
+        weighted: Array = np.einsum("ed,ead->ea", problem.contact.depths.area_fraction, values[of])
+        return weighted
 
     touches = by_element(touching)
     bears = scatter(elements, _area_that_touches(solution, of, touches) * share, len(frame.node))

@@ -167,14 +167,14 @@ def mirror_to_full(mesh: Mesh, symmetry: tuple[bool, bool]) -> MirroredMesh:
         mesh, source, side = mirror(mesh, axis)
         on_axis = mesh.nodes[:, axis] == 0.0
         node, element = node[source], np.tile(element, 2)
-        odd, odd_elements = [each[source] for each in odd], [np.tile(each, 2) for each in odd_elements]
+        odd, odd_elements = [signs[source] for signs in odd], [np.tile(signs, 2) for signs in odd_elements]
         # on the axis the means of both sides' odd fields vanish; those of the meshed side alone need not
         odd[axis] = odd[axis] * np.where(on_axis, 0.0, side)
         odd_elements[axis] = odd_elements[axis] * np.repeat([1.0, -1.0], len(element) // 2)
         shares = shares[source] * np.where(on_axis, 2.0, 1.0)
     mesh, old, order = renumber_by_rows(mesh)
-    x, y = (each[old] for each in odd)
-    in_x, in_y = (each[order] for each in odd_elements)
+    x, y = (signs[old] for signs in odd)
+    in_x, in_y = (signs[order] for signs in odd_elements)
     return MirroredMesh(mesh, node[old], element[order], (x, y), (in_x, in_y), shares[old])
 
 
@@ -238,11 +238,11 @@ def split_at(elements: Integers, creases: Integers, n: int) -> Integers:
     # halves of a side count as the whole one
     whole, hanging = np.arange(n), find_hanging(elements)
     whole[hanging[:, 0]] = hanging[:, 2]
-    nodes, own = sides[owner, which], number[owner[:, None], SIDES[which]]
-    key = (whole[nodes[:, 2:]] * n + nodes)[own >= 0]
+    nodes, numbers = sides[owner, which], number[owner[:, None], SIDES[which]]
+    key = (whole[nodes[:, 2:]] * n + nodes)[numbers >= 0]
     order = np.argsort(key, kind="stable")
-    same, own = np.flatnonzero(np.diff(key[order]) == 0), own[own >= 0][order]
-    links = np.vstack([own[same], own[same + 1]])
+    same, numbers = np.flatnonzero(np.diff(key[order]) == 0), numbers[numbers >= 0][order]
+    links = np.vstack([numbers[same], numbers[same + 1]])
     least, before = np.arange(count), np.full(count, -1)
     while (least != before).any():  # at most as often as elements meet at a node
         before = least.copy()

@@ -100,12 +100,12 @@ def make_patches(nodes: Array, elements: Integers, points: Array) -> Patches:
             left = fit & ~is_corner[same] & (4 * count >= terms)
             where, which = same[left], patch[left]
             for start in range(0, len(where), _CHUNK):
-                v, own = where[start : start + _CHUNK], which[start : start + _CHUNK]
-                x = points[own].reshape(len(v), -1, 2)
+                v, members = where[start : start + _CHUNK], which[start : start + _CHUNK]
+                x = points[members].reshape(len(v), -1, 2)
                 sound, center[v], L[v], A, inverse = _least_squares(x, terms)
                 is_corner[v] = sound
                 if sound.any():
-                    patches.append(_Alike(v[sound], own[sound], A[sound], inverse[sound]))
+                    patches.append(_Alike(v[sound], members[sound], A[sound], inverse[sound]))
     return Patches(
         nodes,
         elements,
@@ -212,24 +212,24 @@ def _terms(x: Array, center: Array, L: Array) -> Array:
     return np.stack([powers[0][a] * powers[1][b] for a, b in _POWERS], axis=-1)
 
 
-def _sources(places: Array, corner: Integers, known: Flags, even: Flags) -> tuple[Integers, Integers]:
+def _sources(places: Array, corner: Integers, fitted: Flags, even: Flags) -> tuple[Integers, Integers]:
     """Return whose polynomials each corner node takes: source[first[v]:first[v + 1]], first (V + 1,).
 
-    Its own if known; else those at the other ends of its elements' sides; else those across its elements; of these
+    Its own if fitted; else those at the other ends of its elements' sides; else those across its elements; of these
     first such as come from elements alike in size. One much farther away than another, over larger elements, is none.
     """
-    V = len(known)
-    with_patch = np.flatnonzero(known)
-    pairs, served = [with_patch * V + with_patch], known.copy()
-    for step, others in (((1, 3), even), ((2,), even), ((1, 3), known), ((2,), known)):
-        one = np.concatenate([corner.ravel() for _ in step])
-        other = np.concatenate([np.roll(corner, -s, axis=1).ravel() for s in step])
-        new = np.flatnonzero(~served[one] & others[other])
-        distance, least = np.linalg.norm(places[one[new]] - places[other[new]], axis=1), np.full(V, np.inf)
-        np.minimum.at(least, one[new], distance)
-        new = new[distance <= FARTHER * least[one[new]]]
-        pairs.append(np.unique(one[new] * V + other[new]))
-        served[one[new]] = True
+    V = len(fitted)
+    with_patch = np.flatnonzero(fitted)
+    pairs, served = [with_patch * V + with_patch], fitted.copy()
+    for step, others in (((1, 3), even), ((2,), even), ((1, 3), fitted), ((2,), fitted)):
+        taker = np.concatenate([corner.ravel() for _ in step])
+        giver = np.concatenate([np.roll(corner, -s, axis=1).ravel() for s in step])
+        new = np.flatnonzero(~served[taker] & others[giver])
+        distance, least = np.linalg.norm(places[taker[new]] - places[giver[new]], axis=1), np.full(V, np.inf)
+        np.minimum.at(least, taker[new], distance)
+        new = new[distance <= FARTHER * least[taker[new]]]
+        pairs.append(np.unique(taker[new] * V + giver[new]))
+        served[taker[new]] = True
     all_pairs = np.sort(np.concatenate(pairs))
     first = np.concatenate([[0], np.cumsum(np.bincount(all_pairs // V, minlength=V))])
     return first, all_pairs % V

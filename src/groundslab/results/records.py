@@ -169,11 +169,11 @@ class BeamResult:
         """
         length = float(self.way[-1])
         low = 0.0 if self.closed else min(distance, length / 4)
-        some = np.flatnonzero(np.diff(self.way) > SAME * length)
-        steps = self.way[some, None] + np.diff(self.way)[some, None] * (np.arange(PARTS + 1) / PARTS)
+        pieces = np.flatnonzero(np.diff(self.way) > SAME * length)
+        steps = self.way[pieces, None] + np.diff(self.way)[pieces, None] * (np.arange(PARTS + 1) / PARTS)
         # a place at which it goes on smoothly stands once
-        first = np.append(True, np.diff(some) > 1)
-        ways = steps[np.column_stack([first, np.ones((len(some), PARTS), dtype=bool)])]
+        first = np.append(True, np.diff(pieces) > 1)
+        ways = steps[np.column_stack([first, np.ones((len(pieces), PARTS), dtype=bool)])]
         inside = ways[(ways > low + SAME * length) & (ways < length - low - SAME * length)]
         return self.at(np.concatenate([[low], inside, [length - low]]))
 
@@ -221,10 +221,10 @@ class BeamResult:
             slope = (np.diff(values, axis=0).T / step).T
             bent = (np.pad(np.diff(slope, axis=0), [(1, 1)] + [(0, 0)] * (values.ndim - 1)).T / wide).T
             curved = (weights[0] * bent[i].T + weights[1] * bent[i + 1].T) * part * (part - 1) * step[i] ** 2
-            found: Array = values[i] + ((part * step[i]) * slope[i].T + curved).T
-            return found
+            interpolated: Array = values[i] + ((part * step[i]) * slope[i].T + curved).T
+            return interpolated
 
-        return BeamResult(self.name, *(of(getattr(self, each.name)) for each in fields(self)[1:]))
+        return BeamResult(self.name, *(of(getattr(self, field.name)) for field in fields(self)[1:]))
 
 
 @dataclass(frozen=True, slots=True)

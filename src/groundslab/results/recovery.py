@@ -111,9 +111,9 @@ def recover_fields(solution: Solution, frame: ResultMesh) -> MeshedFields:
     elements = _element_fields(problem, at_points) | {"pressure": pressure}
     membrane = None
     if problem.in_plane:
-        own = own_membrane(problem, U, gauss(2)[0])
-        elements |= dict(zip(MEMBRANE, own.mean(axis=1).T, strict=True))
-        membrane = frame.at_nodes(own, tuple(MEMBRANE), OF_TENSOR)
+        membrane_forces = own_membrane(problem, U, gauss(2)[0])
+        elements |= dict(zip(MEMBRANE, membrane_forces.mean(axis=1).T, strict=True))
+        membrane = frame.at_nodes(membrane_forces, tuple(MEMBRANE), OF_TENSOR)
     return MeshedFields(forces, nodal, elements, surface_settlement(s, U), _press(solution), membrane)
 
 

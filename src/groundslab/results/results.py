@@ -288,7 +288,7 @@ class Results(Mapping[str, CombinationResult]):
         if combination in self.refused:
             raise self.refused[combination]
         if combination not in self.results:
-            names = listed([quote(each.name) for each in self.combinations])
+            names = listed([quote(item.name) for item in self.combinations])
             raise KeyError(f"no combination {quote(combination)}; there is {names}")
         return self.results[combination]
 

@@ -85,9 +85,9 @@ class Section(metaclass=SectionType):
         if type(data) is cls:
             return data
         if isinstance(data, cls):
-            found = f"a subclass, {type(data).__name__}, of {cls.__name__}"
+            subclass = f"a subclass, {type(data).__name__}, of {cls.__name__}"
             hint = "what a subclass computes would be solved, but be in no file: give the keys their values instead"
-            raise FieldError(RelativeIssue((), found, f"{with_article(cls.__name__)} itself", hint))
+            raise FieldError(RelativeIssue((), subclass, f"{with_article(cls.__name__)} itself", hint))
         if not isinstance(data, Mapping):
             raise FieldError(_not_a_table((), data))
         # of a list far too long nothing else is said, as all that could be takes long to find
@@ -129,10 +129,10 @@ class Section(metaclass=SectionType):
         return cls._of(sound, named)
 
     @classmethod
-    def _of(cls, values: Mapping[str, Any], given: Any) -> Self:
+    def _of(cls, values: Mapping[str, Any], keys: Any) -> Self:
         """Return a section with values of all fields, of which some were given."""
         section = object.__new__(cls)
-        vars(section).update(values, _given=frozenset(given))
+        vars(section).update(values, _given=frozenset(keys))
         return section
 
     def replace(self, **changes: Any) -> Self:

@@ -295,13 +295,13 @@ class Text(FieldType):
 
 
 def _read_each(
-    each: FieldType, items: Iterable[tuple[str | int, Any]], from_file: bool, issues: Sequence[RelativeIssue] = ()
+    kind: FieldType, items: Iterable[tuple[str | int, Any]], from_file: bool, issues: Sequence[RelativeIssue] = ()
 ) -> list[Any]:
     """Return the values of items by name or position; raises FieldError with their issues behind those given."""
     kept, relative_issues = [], [*issues]
     for place, item in items:
         try:
-            kept.append(each.read(as_plain(item), from_file))
+            kept.append(kind.read(as_plain(item), from_file))
         except FieldError as error:
             relative_issues += [relative.below((place,)) for relative in error.relative_issues]
     if relative_issues:

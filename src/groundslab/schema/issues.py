@@ -75,8 +75,8 @@ def require(value: object, *kinds: type, name: str) -> None:
         hint = f"groundslab.{reader}({describe(str(value))}) reads it"
     elif type(value).__name__ in ("PlateResult", "ElementResult", "GroundResult"):
         hint = "it is a part of results: give the results themselves"
-    found = describe(str(value) if isinstance(value, Path) else value)
-    raise InputError([Issue(name, found, listed([_called(word) for word in names]), hint)])
+    described = describe(str(value) if isinstance(value, Path) else value)
+    raise InputError([Issue(name, described, listed([_called(word) for word in names]), hint)])
 
 
 def _called(name: str) -> str:

@@ -43,23 +43,23 @@ def add_item(place: Place, value: dict[str, Any], label: str) -> Repair:
     return Repair(label, (Edit("add", place, value),))
 
 
-def use_nearest(place: Place, word: object, known: Collection[str]) -> tuple[Repair, ...]:
+def use_nearest(place: Place, word: object, words: Collection[str]) -> tuple[Repair, ...]:
     """Return the repair that takes the known word which a word resembles; of few known ones it offers all."""
-    nearest = find_nearest(word, known)
-    few = tuple(known) if len(known) <= MOST_CHOICES else ()
+    nearest = find_nearest(word, words)
+    few = tuple(words) if len(words) <= MOST_CHOICES else ()
     names = few if nearest is None else (nearest,)
     return tuple(set_value(place, name, f"use {describe(name)}") for name in names)
 
 
-def meant_word(word: object, known: Collection[str], unlisted: str | None) -> tuple[str, tuple[Repair, ...]]:
+def meant_word(word: object, words: Collection[str], unlisted: str | None) -> tuple[str, tuple[Repair, ...]]:
     """Return the hint for a word that is none of the known ones, and the repairs.
 
     With a hint for ``unlisted`` words only the known word of the same letters and digits is taken for the meant one:
     one that resembles it may be a stronger concrete, or another limit state.
     """
     if unlisted is not None:
-        known = spelled_alike(word, known)
-    return suggestion(word, known) or unlisted or "", use_nearest((), word, known)
+        words = spelled_alike(word, words)
+    return suggestion(word, words) or unlisted or "", use_nearest((), word, words)
 
 
 def use_free_name(place: Place, name: str, taken: Collection[str]) -> tuple[Repair, ...]:

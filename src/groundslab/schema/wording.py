@@ -89,25 +89,25 @@ def one_of(names: Sequence[str]) -> str:
     return listed([*map(describe, names[:MOST_NAMES]), *more])
 
 
-def find_nearest(word: object, known: Iterable[str]) -> str | None:
+def find_nearest(word: object, words: Iterable[str]) -> str | None:
     """Return the known word that a word resembles most, None if it resembles none."""
     if not isinstance(word, str) or len(word) > 40:
         return None
-    lower = {candidate.lower(): candidate for candidate in known}
+    lower = {candidate.lower(): candidate for candidate in words}
     close = difflib.get_close_matches(word.lower(), lower, n=1)
     return lower[close[0]] if close else None
 
 
-def spelled_alike(word: object, known: Iterable[str]) -> tuple[str, ...]:
+def spelled_alike(word: object, words: Iterable[str]) -> tuple[str, ...]:
     """Return the known words with the letters and digits of a word, in any case and with any other signs."""
-    return tuple(candidate for candidate in known if isinstance(word, str) and _letters(candidate) == _letters(word))
+    return tuple(candidate for candidate in words if isinstance(word, str) and _letters(candidate) == _letters(word))
 
 
 def _letters(word: str) -> str:
     return "".join(filter(str.isalnum, word[:100])).lower()
 
 
-def suggestion(word: object, known: Iterable[str]) -> str:
+def suggestion(word: object, words: Iterable[str]) -> str:
     """Return ``did you mean "..."?`` for a word that resembles a known one, else nothing."""
-    nearest = find_nearest(word, known)
+    nearest = find_nearest(word, words)
     return "" if nearest is None else f"did you mean {quote(nearest)}?"

@@ -156,13 +156,13 @@ def _solve_states(
     return contact(u, residual)
 
 
-def refine(problem: ContactProblem, factorization: CachedFactorization, found: Contact) -> Contact:
+def refine(problem: ContactProblem, factorization: CachedFactorization, contact: Contact) -> Contact:
     """Return a solution that `solve` has just found without the rounding of the factorization."""
     A, f, b = problem.A, problem.f, problem.bearings
-    system, load = constrain(problem, found.state)
+    system, load = constrain(problem, contact.state)
     if not factorization.holds(system) and not factorization.preconditions(system):
-        return found  # one of many solutions, whose states no factor belongs to
-    u = found.u.copy()
+        return contact  # one of many solutions, whose states no factor belongs to
+    u = contact.u.copy()
     before = np.inf
     measures = problem.measured_by
     for _ in range(MAX_REFINEMENTS):
@@ -174,7 +174,7 @@ def refine(problem: ContactProblem, factorization: CachedFactorization, found: C
             break
         before = largest
         factorization.iterate(system, load, u, residual, 1)
-    return Contact(u, found.state, _bearing_forces(b, found.state, u, load - f - (load - A @ u)))
+    return Contact(u, contact.state, _bearing_forces(b, contact.state, u, load - f - (load - A @ u)))
 
 
 def _bearing_forces(b: Bearings, state: Integers, u: Array, reaction: Array) -> Array:

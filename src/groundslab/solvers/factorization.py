@@ -70,10 +70,10 @@ def choose(name: str) -> tuple[str, Solver]:
         name = automatic()
     elif name == "pardiso" and pardiso_import_error():
         hint = 'solver = "auto" takes it if it is installed'
-        found = f'"pardiso", which cannot be loaded ({pardiso_import_error()})'
-        raise InputError([Issue("analysis.solver", found, '"cholmod", "superlu" or "auto"', hint)])
+        not_loaded = f'"pardiso", which cannot be loaded ({pardiso_import_error()})'
+        raise InputError([Issue("analysis.solver", not_loaded, '"cholmod", "superlu" or "auto"', hint)])
     elif name in PACKAGES and find_spec(PACKAGES[name][0]) is None:
         package, hint = PACKAGES[name]
-        found = f'"{name}", which needs {package}, and that is not there'
-        raise InputError([Issue("analysis.solver", found, '"auto"', hint)])
+        not_installed = f'"{name}", which needs {package}, and that is not there'
+        raise InputError([Issue("analysis.solver", not_installed, '"auto"', hint)])
     return name, SOLVERS[name]

@@ -159,9 +159,9 @@ def _bounds(ground: ElasticGround, problem: Problem, law: Bearings) -> tuple[Arr
     return lower, upper
 
 
-def move(p: PlateOnContinuum, f: Array, found: BoundedSolution) -> Array:
-    """Return the displacements (size,) of the plate under loads f (size,) and forces found."""
-    u: Array = p.solve(f + p.C @ found.x) + p.R @ found.alpha
+def move(p: PlateOnContinuum, f: Array, solution: BoundedSolution) -> Array:
+    """Return the displacements (size,) of the plate under loads f (size,) and the forces of a solution."""
+    u: Array = p.solve(f + p.C @ solution.x) + p.R @ solution.alpha
     return u
 
 

@@ -37,8 +37,8 @@ def checksums_of(folder: Path, names: Iterable[str]) -> dict[str, str]:
 
 def find_edited(folder: Path, checksums: Mapping[str, str]) -> list[str]:
     """Return the files that are there and are not as they were written."""
-    there = ((name, folder / name) for name in checksums)
-    return [name for name, path in there if path.is_file() and _checksum(path) != checksums[name]]
+    paths = ((name, folder / name) for name in checksums)
+    return [name for name, path in paths if path.is_file() and _checksum(path) != checksums[name]]
 
 
 def keep_files(folder: Path, names: Iterable[str]) -> None:

@@ -75,10 +75,10 @@ def check_replaceable(path: str | Path, ours: Callable[[Path], bool], what: str)
                 return _require_folder(path, target)
             expected = f"{what}, or a name that is free"
             raise InputError([Issue(str(path), "a file that groundslab did not write", expected, hint)])
-        found = "a folder" if stat.S_ISDIR(mode) else "something that is neither a file nor a folder"
+        obstacle = "a folder" if stat.S_ISDIR(mode) else "something that is neither a file nor a folder"
     except OSError as error:
-        found = error.strerror or str(error)
-    raise InputError([Issue(str(path), found, "a file, or a name that is free", hint)])
+        obstacle = error.strerror or str(error)
+    raise InputError([Issue(str(path), obstacle, "a file, or a name that is free", hint)])
 
 
 def _require_folder(path: str | Path, target: Path) -> Path:

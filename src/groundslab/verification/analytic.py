@@ -284,7 +284,7 @@ _SINGLE = (
 
 
 def _take(formula: Callable[..., dict[str, float]], quantity: str) -> Callable[..., float]:
-    return lambda **given: formula(**given)[quantity]
+    return lambda **arguments: formula(**arguments)[quantity]
 
 
 #: What a case file may name as `exact`: functions of the row's and the case's arguments, by their name and quantity.

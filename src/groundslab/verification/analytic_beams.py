@@ -94,8 +94,8 @@ def disk_on_infinite_plate(r: float, a: float, q: float, D: float, nu: float, k0
         return 1 / (a * z**2) + inside * iv(0, r * z) / z, slope_over_r, inside * z * iv(0, r * z) - slope_over_r
 
     w, slope_over_r, bent = (
-        float((q * a / (D * (z**2 - y**2)) * (one - other)).real)
-        for one, other in zip(integrals(y), integrals(z), strict=True)
+        float((q * a / (D * (z**2 - y**2)) * (y_part - z_part)).real)
+        for y_part, z_part in zip(integrals(y), integrals(z), strict=True)
     )
     return {"settlement": w, "moment": -D * (bent + nu * slope_over_r)}
 
@@ -298,9 +298,9 @@ class InfinitePlate:
         y2, z2 = (k1 + root) / (2 * D), (k1 - root) / (2 * D)
         of_y, of_z = (integral(cmath.sqrt(square)) for square in (y2, z2))
         c = size / (D * (z2 - y2))
-        psi, slope = ((c * (one - other)).real for one, other in zip(of_y, of_z, strict=True))
+        psi, slope = ((c * (y_part - z_part)).real for y_part, z_part in zip(of_y, of_z, strict=True))
         # of psi, as the load cancels in the difference
-        laplacian, steep = ((c * (y2 * one - z2 * other)).real for one, other in zip(of_y, of_z, strict=True))
+        laplacian, steep = ((c * (y2 * y_part - z2 * z_part)).real for y_part, z_part in zip(of_y, of_z, strict=True))
         bent = laplacian - slope / r
         return {
             "settlement": psi - self.D / self.S * laplacian,

@@ -40,8 +40,8 @@ def find_subtracted(names: Iterable[str], minus: Subtracted) -> tuple[dict[str, 
     """
     others = {entry.combination.name: entry for entry in entries(results_of(minus)) if entry.results is not None}
     only = next(iter(others.values())) if len(others) == 1 else None
-    found = {name: others.get(name, only) for name in names}
-    return {name: other for name, other in found.items() if other is not None}, list(others)
+    matches = {name: others.get(name, only) for name in names}
+    return {name: other for name, other in matches.items() if other is not None}, list(others)
 
 
 def transfer(source: PlateResult, target: PlateResult) -> Callable[[Array], Array]:

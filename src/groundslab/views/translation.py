@@ -25,10 +25,14 @@ def translator_of(results: CombinationResult | Results) -> Translator:
     if model.language == "en":
         return str
     project = () if model.project is None else model.project
-    given = [model.title, *(str(value) for key, value in project if key not in ("units", "language"))]
+    project_texts = [model.title, *(str(value) for key, value in project if key not in ("units", "language"))]
     cases = (*names_of(model), *names_of(results.solved_model))  # whose cases may have moved
-    several = [each.name for each in results.combinations] if isinstance(results, Results) else [results.combination]
-    return translator(model.language, [*given, *cases, *several])
+    several = (
+        [combination.name for combination in results.combinations]
+        if isinstance(results, Results)
+        else [results.combination]
+    )
+    return translator(model.language, [*project_texts, *cases, *several])
 
 
 @made_once
@@ -56,5 +60,5 @@ def translate_table(table: Table, translate: Translator) -> Table:
 
 def _translate_column(column: Column, translate: Translator) -> Column:
     words = column.name in WORDS
-    values = tuple(translate(each) if words and isinstance(each, str) else each for each in column.values)
+    values = tuple(translate(value) if words and isinstance(value, str) else value for value in column.values)
     return replace(column, name=translate(column.name), values=values)

@@ -27,7 +27,7 @@ _language: ContextVar[Language] = ContextVar("language", default="en")
 def take_language(scope: Scope) -> None:
     """Let what is said from now on in answer to a request be in its language."""
     named = Headers(scope=scope).get(HEADER) or _named_in_query(scope)
-    _language.set(next((each for each in get_args(Language) if each == named), "en"))
+    _language.set(next((language for language in get_args(Language) if language == named), "en"))
 
 
 def _named_in_query(scope: Scope) -> str:
@@ -51,7 +51,7 @@ def say(data: Any, translate: Translator) -> Any:
         return translate(data) if isinstance(data, Message | Label | Clause) else data
     if isinstance(data, Mapping):
         return {key: say(value, translate) for key, value in data.items()}
-    return [say(each, translate) for each in data] if isinstance(data, list | tuple) else data
+    return [say(item, translate) for item in data] if isinstance(data, list | tuple) else data
 
 
 def say_refusals(scene: bytes, refused: Mapping[str, str]) -> bytes:

@@ -47,8 +47,8 @@ def elastic_ground(
     xy = plan.mesh.nodes[elements]
     grid = make_grid(model.bounds, _size(ground, areas(xy), coarsening))
     if grid.nx * grid.ny > MOST_CELLS:
-        found = f"{grid.nx} x {grid.ny} cells of pressure"
-        raise InputError([Issue("ground.cell", found, f"at most {MOST_CELLS:,} cells", "larger cells, or elements")])
+        count = f"{grid.nx} x {grid.ny} cells of pressure"
+        raise InputError([Issue("ground.cell", count, f"at most {MOST_CELLS:,} cells", "larger cells, or elements")])
     moving, kind, P, _ = connect(plan.mesh.elements)
     numbers = plan.plate_elements
     w = element.w_functions(xy) @ P[kind[numbers]]

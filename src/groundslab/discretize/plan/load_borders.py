@@ -92,13 +92,13 @@ def _follow(plan: Plan, rings: tuple[Ring, ...], lines: tuple[Line, ...], thickn
     return _add_lines(add_borders(plan, (*plan.borders, *followed)), tuple(straight))
 
 
-def _clear(one: LineString | Point, other: LineString | Point, same: float, near: float) -> bool:
+def _clear(curve: LineString | Point, other: LineString | Point, same: float, near: float) -> bool:
     """Return whether corners of either of two curves lie on the other, or at least so far from it [m]."""
     import shapely
 
-    if shapely.distance(one, other) >= near:
+    if shapely.distance(curve, other) >= near:
         return True
-    for a, b in ((one, other), (other, one)):
+    for a, b in ((curve, other), (other, curve)):
         apart = shapely.distance(shapely.points(shapely.get_coordinates(a)), b)
         if ((apart > same) & (apart < near)).any():
             return False

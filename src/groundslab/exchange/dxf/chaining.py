@@ -132,8 +132,8 @@ def join_outlines(curves: list[ClosedCurve], tolerance: float, context: ReadCont
     ways = Counter((link.key, link.a) for link in links)
     for link in links:
         if ways[link.key, link.a] > 1:
-            found = "a part of two outlines that lie on each other"
-            context.issue([link.source], nodes.points[link.a], found, "outlines side by side")
+            overlap = "a part of two outlines that lie on each other"
+            context.issue([link.source], nodes.points[link.a], overlap, "outlines side by side")
             return curves
     left = [link for link in links if shared[link.key] == 1]
     if len(left) == len(links):
@@ -212,13 +212,13 @@ def _close_gaps(loose: list[_Link], nodes: PointIndex, context: ReadContext) -> 
     return [link._replace(a=joined.get(link.a, link.a), b=joined.get(link.b, link.b)) for link in loose]
 
 
-def _meeting(one: _Link, a: int, other: _Link, b: int, nodes: PointIndex) -> Place:
+def _meeting(edge: _Link, a: int, other: _Link, b: int, nodes: PointIndex) -> Place:
     """Return where two straight edges that end at a and b would meet, midway between these if that is not near them."""
     (ax, ay), (bx, by) = nodes.points[a], nodes.points[b]
     middle = (ax + bx) / 2, (ay + by) / 2
-    if one.bulge or other.bulge:
+    if edge.bulge or other.bulge:
         return middle
-    (cx, cy), (dx, dy) = (nodes.points[link.b if link.a == end else link.a] for link, end in ((one, a), (other, b)))
+    (cx, cy), (dx, dy) = (nodes.points[link.b if link.a == end else link.a] for link, end in ((edge, a), (other, b)))
     (ux, uy), (vx, vy) = (ax - cx, ay - cy), (bx - dx, by - dy)
     across = ux * vy - uy * vx
     if abs(across) <= ROUNDING * math.hypot(ux, uy) * math.hypot(vx, vy):
@@ -285,8 +285,8 @@ def _find_rings(loose: list[_Link], nodes: PointIndex, context: ReadContext) -> 
             if chain[-1].b == chain[0].a:
                 rings.append(chain)
                 break
-            one, other = at[chain[-1].b]
-            number = other if one == number else one
+            candidate, other = at[chain[-1].b]
+            number = other if candidate == number else candidate
             link = loose[number]
             chain.append(link if link.a == chain[-1].b else link.turned())
         used.add(number)
@@ -305,16 +305,16 @@ def _check_ends(loose: list[_Link], at: dict[int, list[int]], nodes: PointIndex,
         if not {a, b} & paired:
             paired |= {a, b}
             a, b = (b, a) if at[b] < at[a] else (a, b)
-            found = f"a gap of {context.format_length(gap)}, to {context.format_point(nodes.points[b])}"
+            wide_gap = f"a gap of {context.format_length(gap)}, to {context.format_point(nodes.points[b])}"
             hint = "join the ends, move anything that is not an edge to another layer, or allow wider gaps to be closed"
-            context.issue([loose[at[end][0]].source for end in (a, b)], nodes.points[a], found, expected, hint)
+            context.issue([loose[at[end][0]].source for end in (a, b)], nodes.points[a], wide_gap, expected, hint)
     for node in shown:
         if node not in paired:
             context.issue([loose[at[node][0]].source], nodes.points[node], "an open end", expected)
     if len(ends) > len(shown):
         node = ends[len(shown)]
-        found = f"{len(ends) - len(shown)} more open ends, this being the next"
-        context.issue([loose[at[node][0]].source], nodes.points[node], found, expected)
+        more_ends = f"{len(ends) - len(shown)} more open ends, this being the next"
+        context.issue([loose[at[node][0]].source], nodes.points[node], more_ends, expected)
     for node, links in at.items():
         if len(links) > 2:
             hint = "leave one closed curve, and move the other lines to another layer"

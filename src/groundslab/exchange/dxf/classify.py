@@ -45,9 +45,9 @@ def find_outline(
         where = f"{context.path}, layer {describe(entities[0][0].layer)}" if entities else ""
         if entities and not any(issue.location.startswith(where) for issue in context.issues):
             kinds = Counter(entity.dxftype() for _, entity in entities).items()
-            found = "only what cannot be taken: " + ", ".join(f"{count} {kind}" for kind, count in kinds)
+            untaken = "only what cannot be taken: " + ", ".join(f"{count} {kind}" for kind, count in kinds)
             why = "; ".join(dict.fromkeys(line.why for line in context.report if line.layer == entities[0][0].layer))
-            context.issues.append(Issue(where, found, "a closed curve", why))
+            context.issues.append(Issue(where, untaken, "a closed curve", why))
         return None, []
     outline = max(curves, key=lambda closed: closed.curve.area)
     report_taken(outline, "the outline", context)
@@ -58,12 +58,12 @@ def find_outline(
         start = closed.curve.points[0]
         meeting = find_meeting(outline.region, closed.curve.segments(), tolerance, context.count_pairs)
         if meeting is not None:
-            found = "a second curve that crosses or touches the outline"
+            crossing = "a second curve that crosses or touches the outline"
             hint = "let outlines side by side be joined (--union), or draw what is around them"
-            context.issue(closed.sources, meeting, found, "one outline", hint)
+            context.issue(closed.sources, meeting, crossing, "one outline", hint)
         elif not outline.region.holds(start, context.count_edges):
-            found, hint = "a second curve next to the outline", "a file describes one plate: move the others elsewhere"
-            context.issue(closed.sources, start, found, "one outline", hint)
+            beside, hint = "a second curve next to the outline", "a file describes one plate: move the others elsewhere"
+            context.issue(closed.sources, start, beside, "one outline", hint)
         elif has_openings:
             report_ignored(closed, "it lies inside the outline, but openings have their own layer", context)
         elif inner.find([start]) is not None:

@@ -62,8 +62,8 @@ def open_drawing(path: str) -> Document:
         raise InputError([Issue(path, "a DWG drawing", expected, "save it as DXF in the CAD program")])
     if size > LARGEST_FILE:
         hint = "save only the layers that are needed in a separate file"
-        found = f"a file of {size / 1e6:,.0f} MB"
-        raise InputError([Issue(path, found, f"at most {LARGEST_FILE / 1e6:.0f} MB", hint)])
+        file_size = f"a file of {size / 1e6:,.0f} MB"
+        raise InputError([Issue(path, file_size, f"at most {LARGEST_FILE / 1e6:.0f} MB", hint)])
     # what ezdxf says of a damaged drawing is no message for who reads ours, and may be very long
     logging.getLogger("ezdxf").addHandler(_SILENT)
     try:
@@ -74,25 +74,25 @@ def open_drawing(path: str) -> Document:
     except MemoryError:
         raise
     except Exception as error:  # of any kind, as what is damaged may be anything
-        found = f"a damaged DXF file ({error})"
-        raise InputError([Issue(path, found, expected, "save it again in the CAD program")]) from None
+        damage = f"a damaged DXF file ({error})"
+        raise InputError([Issue(path, damage, expected, "save it again in the CAD program")]) from None
     return document
 
 
-def set_unit(document: Document, given: str | None, context: ReadContext) -> None:
+def set_unit(document: Document, unit: str | None, context: ReadContext) -> None:
     """Give the context its unit: the one that was given, else the drawing's own."""
     code = document.header.get("$INSUNITS", 0)
     own_unit = UNITS.get(code)
-    if given is not None:
+    if unit is not None:
         try:
-            scale = Fraction(repr(units.parse(f"1 {given}", "length")))
+            scale = Fraction(repr(units.parse(f"1 {unit}", "length")))
         except units.QuantityError as error:
             expected = 'the name of a length, such as "mm"'
-            context.issues.append(Issue("the drawing's unit", describe(given), expected, error.reason))
+            context.issues.append(Issue("the drawing's unit", describe(unit), expected, error.reason))
             return
-        context.unit, context.scale = given, scale
+        context.unit, context.scale = unit, scale
         if own_unit is not None and not math.isclose(own_unit[1], scale, rel_tol=1e-5):
-            why = f"the drawing says that its unit is {own_unit[0]}; it was read in {given} as given"
+            why = f"the drawing says that its unit is {own_unit[0]}; it was read in {unit} as given"
             context.report.append(ReportLine("", "HEADER", "", False, why))
     elif own_unit is not None:
         context.unit, context.scale = own_unit
@@ -100,9 +100,9 @@ def set_unit(document: Document, given: str | None, context: ReadContext) -> Non
             why = f"the drawing says that its unit is {own_unit[0]}, and writes lengths in feet and inches"
             context.report.append(ReportLine("", "HEADER", "", False, why))
     else:
-        found = f"unit number {code}" if code else "no unit"
+        drawing_unit = f"unit number {code}" if code else "no unit"
         hint = 'say the unit, such as "mm", or set INSUNITS in the drawing'
-        context.issues.append(Issue(f"{context.path}, header, $INSUNITS", found, "a unit of length", hint))
+        context.issues.append(Issue(f"{context.path}, header, $INSUNITS", drawing_unit, "a unit of length", hint))
 
 
 @dataclass(frozen=True, slots=True)

@@ -157,8 +157,8 @@ def _entities(document: Document, roles: Roles, context: ReadContext) -> dict[st
     for role, source, entity in iterate_entities(document.modelspace(), roles, blocks, context):
         entities[role].append((source, entity))
         if sum(map(len, entities.values())) > MOST_ENTITIES:
-            found = f"more than {MOST_ENTITIES:,} entities on these layers"
-            abort(context, found, "fewer", "leave only what is needed there")
+            excess = f"more than {MOST_ENTITIES:,} entities on these layers"
+            abort(context, excess, "fewer", "leave only what is needed there")
     return entities
 
 

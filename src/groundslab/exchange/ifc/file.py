@@ -114,8 +114,8 @@ def open_file(path: str) -> IfcFile:
     except MemoryError:
         raise
     except Exception as error:  # of any kind, as what is damaged may be anything
-        found = f"a file that is not IFC, or damaged ({error})"
-        raise InputError([Issue(path, found, _EXPECTED, "export it again from the building's program")]) from None
+        damage = f"a file that is not IFC, or damaged ({error})"
+        raise InputError([Issue(path, damage, _EXPECTED, "export it again from the building's program")]) from None
     if not schema.upper().startswith(VERSIONS):
         raise InputError([Issue(f"{path}, schema", describe(schema), _EXPECTED, "export it as IFC 4")])
     settings = geom.settings()
@@ -143,9 +143,9 @@ def _check_readable(path: str) -> None:
     if start.startswith(b"PK"):
         raise InputError([Issue(path, "a compressed file", _EXPECTED, "unpack the IFC file in it")])
     if size > LARGEST_FILE:
-        found = f"a file of {size / 1e6:,.0f} MB"
+        file_size = f"a file of {size / 1e6:,.0f} MB"
         expected = f"at most {LARGEST_FILE / 1e6:.0f} MB"
-        raise InputError([Issue(path, found, expected, "export the storey of the slab alone")])
+        raise InputError([Issue(path, file_size, expected, "export the storey of the slab alone")])
 
 
 def _unit(model: Any, unit: Any, path: str) -> tuple[str, float]:

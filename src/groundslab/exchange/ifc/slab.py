@@ -120,9 +120,9 @@ def read_slab(file: IfcFile, element: Any, report: list[ReportLine]) -> Slab:
     whole, top = body.plan(), body.face(body.top)
     if top.area < (1 - SAME_AREA) * whole.area or not whole.area:
         tilt = body.tilt()
-        found = f"faces that are tilted by {tilt:g} degrees" if tilt > 0 else "a top at several heights"
+        uneven_top = f"faces that are tilted by {tilt:g} degrees" if tilt > 0 else "a top at several heights"
         part = f"{top.area:.6g} m2 of {whole.area:.6g} m2 are at its top, {body.top:.6g} m"
-        raise InputError([Issue(where, found, "a slab with a level top", part)])
+        raise InputError([Issue(where, uneven_top, "a slab with a level top", part)])
     thickness = body.top - body.bottom if is_prismatic(body) else None
     what = f"the slab, {top.area:.6g} m2, top at {body.top:.6g} m"
     report.append(ReportLine(element.is_a(), name_of(element), True, what))

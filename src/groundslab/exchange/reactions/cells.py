@@ -69,8 +69,8 @@ def read_grids(path: str | Path) -> tuple[Grid, ...]:
     """
     path = Path(path)
     if path.suffix.lower() not in _ENDINGS:
-        found = f'"{path.suffix}"' if path.suffix else "a name without an ending"
-        raise InputError([Issue(str(path), found, f"a name that ends with {one_of(_ENDINGS)}")])
+        ending = f'"{path.suffix}"' if path.suffix else "a name without an ending"
+        raise InputError([Issue(str(path), ending, f"a name that ends with {one_of(_ENDINGS)}")])
     content = _read_bytes(path)
     if path.suffix.lower() in _WORKBOOKS:
         return _read_workbook(content, str(path))
@@ -144,9 +144,9 @@ def _read_workbook(content: bytes, name: str) -> tuple[Grid, ...]:
     except InputError:
         raise
     except Exception as error:  # of any kind, as what is damaged may be anything
-        found = f"a damaged workbook ({type(error).__name__})"
+        damage = f"a damaged workbook ({type(error).__name__})"
         hint = "save it again in the program that made it, or as CSV"
-        raise InputError([Issue(name, found, "a workbook (XLSX)", hint)]) from None
+        raise InputError([Issue(name, damage, "a workbook (XLSX)", hint)]) from None
 
 
 def _read_sheets(openpyxl: Any, content: bytes, name: str) -> Iterator[Grid]:
@@ -176,8 +176,8 @@ def _require_small(content: bytes, name: str) -> None:
         with zipfile.ZipFile(io.BytesIO(content)) as archive:
             size = sum(entry.file_size for entry in archive.infolist())
     except Exception as error:  # of any kind, as what is damaged may be anything
-        found = f"a file that is no workbook ({type(error).__name__})"
-        raise InputError([Issue(name, found, "a workbook (XLSX)", "save it again, or as CSV")]) from None
+        no_workbook = f"a file that is no workbook ({type(error).__name__})"
+        raise InputError([Issue(name, no_workbook, "a workbook (XLSX)", "save it again, or as CSV")]) from None
     if size > UNPACKED:
         raise _too_large(name, f"{size // 1_000_000:,} MB once it is unpacked")
 

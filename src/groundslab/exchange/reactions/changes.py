@@ -119,10 +119,10 @@ def find_pushes(before: Model, after: Model, threshold: float = THRESHOLD) -> It
     """Yield the load cases whose horizontal forces change."""
     old = {case.name: (case.H_x, case.H_y) for case in before.cases}
     for case in after.cases:
-        one, other = old.get(case.name, (0.0, 0.0)), (case.H_x, case.H_y)
-        if one != other:
-            large = any(abs(b - a) > threshold * abs(a) for a, b in zip(one, other, strict=True))
-            yield ReactionChange("changed" if large else "less", "", case.name, H=(one, other))
+        H_before, H_after = old.get(case.name, (0.0, 0.0)), (case.H_x, case.H_y)
+        if H_before != H_after:
+            large = any(abs(b - a) > threshold * abs(a) for a, b in zip(H_before, H_after, strict=True))
+            yield ReactionChange("changed" if large else "less", "", case.name, H=(H_before, H_after))
 
 
 def sum_cases(

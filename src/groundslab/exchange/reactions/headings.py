@@ -103,14 +103,14 @@ class Headings:
         return next(iter(self.of(role)), None)
 
 
-def find_headings(grid: Grid, given: ReactionHeadings, single: str = "") -> Headings | None:
+def find_headings(grid: Grid, custom: ReactionHeadings, single: str = "") -> Headings | None:
     """Return the headings of a table; None if it has none of reactions.
 
     Parameters
     ----------
     grid : Grid
         The cells.
-    given : ReactionHeadings
+    custom : ReactionHeadings
         Headings that are not the usual ones.
     single : str
         The load case of a table that names none.
@@ -120,7 +120,7 @@ def find_headings(grid: Grid, given: ReactionHeadings, single: str = "") -> Head
     InputError
         If the headings are there but leave open what is where.
     """
-    ours: dict[Role, str] = {role: getattr(given, role) for role in USUAL if getattr(given, role, "")}
+    ours: dict[Role, str] = {role: getattr(custom, role) for role in USUAL if getattr(custom, role, "")}
     rows = [[str(cell) for cell in row] for row in grid.rows[:ABOVE]]
     scores = [len({role for cell in row if (role := _role(cell, ours)) is not None}) for row in rows]
     if not scores or not max(scores):
@@ -257,19 +257,19 @@ def _preferred(columns: Sequence[Heading], row: Sequence[str], grid: Grid, first
 def _require_places(columns: Sequence[Heading], row: Sequence[str], grid: Grid, top: int) -> None:
     """Raise InputError for two columns of one heading that differ, of coordinates or of horizontal forces."""
     issues = []
-    for one, other in combinations((heading for heading in columns if heading.role in ("x", "y", "F_x", "F_y")), 2):
-        same = one.role == other.role and _rank(one.role, row[one.column]) == _rank(other.role, row[other.column])
-        if same and any(a != b for a, b in _pairs(grid, top + 1, one.column, other.column)):
-            found = f"two columns with {one.role}: {listed([row[one.column], row[other.column]], 'and')}"
-            issues.append(Issue(f"{grid.name}, row {top + 1}", found, "one", "leave only the one that is meant"))
+    for left, right in combinations((heading for heading in columns if heading.role in ("x", "y", "F_x", "F_y")), 2):
+        same = left.role == right.role and _rank(left.role, row[left.column]) == _rank(right.role, row[right.column])
+        if same and any(a != b for a, b in _pairs(grid, top + 1, left.column, right.column)):
+            doubled = f"two columns with {left.role}: {listed([row[left.column], row[right.column]], 'and')}"
+            issues.append(Issue(f"{grid.name}, row {top + 1}", doubled, "one", "leave only the one that is meant"))
     if issues:
         raise InputError(issues)
 
 
-def _pairs(grid: Grid, first: int, one: int, other: int) -> Iterator[tuple[Cell, Cell]]:
+def _pairs(grid: Grid, first: int, left: int, right: int) -> Iterator[tuple[Cell, Cell]]:
     """Yield the cells of two columns below headings."""
     for row in grid.rows[first:]:
-        yield row[one] if one < len(row) else "", row[other] if other < len(row) else ""
+        yield row[left] if left < len(row) else "", row[right] if right < len(row) else ""
 
 
 def _rank(role: Role, text: str) -> int:
@@ -298,11 +298,11 @@ def _require_headings(headings: Headings, grid: Grid, row: Sequence[str], top: i
             expected = f"a unit of {units.DIMENSIONS[dimension].phrase}"
             issues.append(Issue(where, f"{describe(row[heading.column])} in {heading.unit}", expected))
     values = [heading for heading in headings.columns if heading.role in BY_CASE]
-    for one, other in pairwise(sorted(values, key=lambda heading: (heading.role, heading.case))):
-        if (one.role, one.case) == (other.role, other.case):
-            of = f" of {quote(one.case)}" if one.case else ""
-            found = f"two columns with {one.role}{of}: {listed([row[one.column], row[other.column]], 'and')}"
-            hint = f'name the one that is meant: headings = {{{one.role} = "..."}}'
-            issues.append(Issue(f"{grid.name}, row {top + 1}", found, "one", hint))
+    for left, right in pairwise(sorted(values, key=lambda heading: (heading.role, heading.case))):
+        if (left.role, left.case) == (right.role, right.case):
+            of = f" of {quote(left.case)}" if left.case else ""
+            doubled = f"two columns with {left.role}{of}: {listed([row[left.column], row[right.column]], 'and')}"
+            hint = f'name the one that is meant: headings = {{{left.role} = "..."}}'
+            issues.append(Issue(f"{grid.name}, row {top + 1}", doubled, "one", hint))
     if issues:
         raise InputError(issues)

@@ -125,8 +125,8 @@ def match_supports(reactions: Sequence[Reaction], table: ReactionTable, model: M
                 moved.append(Moved(support, name, _middle(bases[name]), place, frame.texts(reaction)))
             continue
         if support in said:
-            found = f"{quote(said[support])} for support {quote(support)}"
-            issues.append(Issue("supports", found, "a column or wall", suggestion(said[support], bases)))
+            unknown_base = f"{quote(said[support])} for support {quote(support)}"
+            issues.append(Issue("supports", unknown_base, "a column or wall", suggestion(said[support], bases)))
             continue
         near = _nearest(place, bases.values())
         if near is not None and near[1] <= _reach(near[0], reading):
@@ -139,9 +139,9 @@ def match_supports(reactions: Sequence[Reaction], table: ReactionTable, model: M
     return Matched(on, tuple(reversed(columns)), tuple(reversed(moved)), tuple(reversed(issues)))
 
 
-def _same_name(name: str, known: Iterable[str]) -> str:
+def _same_name(name: str, candidates: Iterable[str]) -> str:
     """Return the known name that a name is, or is but for capital letters and spaces if only one is."""
-    names = list(known)
+    names = list(candidates)
     if name in names:
         return name
     alike = [candidate for candidate in names if _letters(candidate) == _letters(name)]
@@ -191,13 +191,13 @@ def _unmatched(
     table: ReactionTable, reaction: Reaction, place: Place | None, near: tuple[Column | Wall, float] | None
 ) -> Issue:
     where = "" if place is None else f" at {format_place(place)} m"
-    found = f"support {quote(reaction.support)}{where}, F_z = {format_number(reaction.F_z)} {table.force}"
-    found += f" in {quote(reaction.case)}"
+    words = f"support {quote(reaction.support)}{where}, F_z = {format_number(reaction.F_z)} {table.force}"
+    words += f" in {quote(reaction.case)}"
     nearest = "" if near is None else f", the nearest one is {near[0].name}, {near[1]:.3g} m off"
     hint = "say which one it is, give the footprint of a new column, or leave it out"
     if place is None:
         hint = "say which one it is, or leave it out; a new column needs a table with places"
-    return Issue(f"{table.name}, row {reaction.row}", found, f"a column or wall of that name or place{nearest}", hint)
+    return Issue(f"{table.name}, row {reaction.row}", words, f"a column or wall of that name or place{nearest}", hint)
 
 
 @dataclass(frozen=True, slots=True)
@@ -233,11 +233,11 @@ def match_cases(table: ReactionTable, model: Model, reading: Reactions, new_case
         if case in reading.without_cases:
             continue
         if case in table.unsigned and (same or case in new_cases):
-            found = (
+            unsigned_case = (
                 f"load case {quote(case)} ({table.unsigned[case]}), whose values are the largest ones, without signs"
             )
             hint = "take forces of one direction that act together, such as equivalent static ones, or leave it out"
-            issues.append(Issue(table.name, found, "forces and moments that act together", hint))
+            issues.append(Issue(table.name, unsigned_case, "forces and moments that act together", hint))
         elif same:
             names[case] = same
         elif case in new_cases:
@@ -299,9 +299,9 @@ def repeated(reactions: Iterable[Reaction], table: ReactionTable) -> list[Issue]
     for reaction in reactions:
         before = first.setdefault((reaction.support, reaction.case), reaction)
         if before is not reaction:
-            found = f"{quote(reaction.support)} in {quote(reaction.case)} again, as in row {before.row}"
+            twice = f"{quote(reaction.support)} in {quote(reaction.case)} again, as in row {before.row}"
             hint = "of several stories or steps, save only the one that stands on the slab"
-            issues.append(Issue(f"{table.name}, row {reaction.row}", found, "each support once in each case", hint))
+            issues.append(Issue(f"{table.name}, row {reaction.row}", twice, "each support once in each case", hint))
     return issues
 
 

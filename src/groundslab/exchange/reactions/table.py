@@ -140,8 +140,8 @@ def _read(grid: Grid, headings: Headings, reading: Reactions) -> ReactionTable:
     cells = (row[column] for _, row in body for column in numeric if column < len(row))
     decimals = reading.decimals or find_decimals(cells, grid.commas)
     if decimals is None:
-        found, hint = "numbers whose commas or points may group digits", 'say it: decimals = "point" or "comma"'
-        raise InputError([Issue(grid.name, found, "one way to read them", hint)])
+        ambiguous, hint = "numbers whose commas or points may group digits", 'say it: decimals = "point" or "comma"'
+        raise InputError([Issue(grid.name, ambiguous, "one way to read them", hint)])
     reader = _RowReader(grid, headings, decimals, reading.case)
     reactions = tuple(reaction for number, row in body for reaction in reader.read(number, row))
     if reader.issues:
@@ -167,19 +167,19 @@ def _units(grid: Grid, headings: Headings, reading: Reactions) -> tuple[tuple[st
     Also remarks on units that differ from what was given or from each other.
     """
     chosen, issues, remarks = list[str](), list[Issue](), list[str]()
-    for dimension, given in (("force", reading.force), ("moment", reading.moment), ("length", reading.length)):
+    for dimension, reading_unit in (("force", reading.force), ("moment", reading.moment), ("length", reading.length)):
         columns = [heading for heading in headings.columns if DIMENSIONS.get(heading.role) == dimension]
         if dimension == "force":
             columns = list(headings.of(*(("F_z",) if reading.horizontal == "left out" else ("F_x", "F_y", "F_z"))))
         stated = list(dict.fromkeys(heading.unit for heading in columns if heading.unit))
         if len(stated) > 1:
             issues.append(Issue(grid.name, f"{dimension}s in {listed(stated, 'and')}", "one unit"))
-        elif columns and not stated and not given:
+        elif columns and not stated and not reading_unit:
             expected = f"units in the headings or below them, such as {headings_example(dimension)}"
             issues.append(Issue(grid.name, f"no unit of {dimension}s", expected, f'give it: {dimension} = "..."'))
-        chosen.append((stated or [_given(given, dimension)])[0] if columns else "")
-        if stated and given and _given(given, dimension) != stated[0]:
-            remarks.append(f"{dimension}s are in {stated[0]}, as the table says, not in {given}")
+        chosen.append((stated or [_given(reading_unit, dimension)])[0] if columns else "")
+        if stated and reading_unit and _given(reading_unit, dimension) != stated[0]:
+            remarks.append(f"{dimension}s are in {stated[0]}, as the table says, not in {reading_unit}")
     force, per = _split_unit(chosen[0], "force")
     moment, of_moment = _split_unit(chosen[1], "moment")
     if moment and per != of_moment:

@@ -88,8 +88,8 @@ class Building:
         pairs = [np.stack(np.meshgrid(self.host, self.host), axis=-1).reshape(-1, 2)]
         for number in range(len(self.bases)):
             nodes, hosts = self._nodes_of(number), self.host[self.base == number]
-            for one, other in ((nodes, nodes), (hosts, nodes)):
-                pairs.append(np.stack(np.meshgrid(one, other), axis=-1).reshape(-1, 2))
+            for rows, columns in ((nodes, nodes), (hosts, nodes)):
+                pairs.append(np.stack(np.meshgrid(rows, columns), axis=-1).reshape(-1, 2))
         return np.unique(np.sort(np.concatenate(pairs), axis=1), axis=0)
 
     def _nodes_of(self, number: int) -> Integers:
@@ -105,10 +105,10 @@ def blocks(b: Building, p: Pattern) -> tuple[Integers, Array]:
     F = p.unknown.shape[1]
     pairs, matrices = [], []
 
-    def add(one: Integers, other: Integers, block: Array) -> None:
-        """Add blocks (t, F, F) whose rows are of nodes `one`."""
-        turned = (p.rank[one] > p.rank[other])[:, None, None]
-        pairs.append(p.pairs(one, other))
+    def add(rows: Integers, columns: Integers, block: Array) -> None:
+        """Add blocks (t, F, F) whose rows are of nodes `rows`."""
+        turned = (p.rank[rows] > p.rank[columns])[:, None, None]
+        pairs.append(p.pairs(rows, columns))
         matrices.append(np.where(turned, block.transpose(0, 2, 1), block))
 
     S, K = b.joint, b.behind_joint + np.diag(b.joint)

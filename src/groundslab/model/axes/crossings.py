@@ -166,26 +166,26 @@ def _written(value: Any) -> Any:
     return [[units.write(length, "length") for length in place] for place in value]
 
 
-def _find_other_place(part: Mapping[Any, Any], given: Mapping[str, Any]) -> Iterator[RelativeIssue]:
+def _find_other_place(part: Mapping[Any, Any], coordinates: Mapping[str, Any]) -> Iterator[RelativeIssue]:
     """Find a place that is given beside the axes, and is another one."""
-    for key, value in given.items():
+    for key, value in coordinates.items():
         if key in part and not _is_same(part[key], value):
             hint = "the axes say where it is"
             yield RelativeIssue((), f"axes together with {key}", "one of them", hint, (remove((), label="remove at"),))
             return
 
 
-def _is_same(given: Any, value: Any) -> bool:
+def _is_same(entry: Any, value: Any) -> bool:
     """Whether a length or a list of places, as files or Python have them, is a value [m]."""
     if isinstance(value, float):
         try:
-            length: float = units.parse(given, "length") if isinstance(given, str) else float(given)
+            length: float = units.parse(entry, "length") if isinstance(entry, str) else float(entry)
         except (TypeError, ValueError):
             return False
         return bool(abs(length - value) <= SAME)
-    if not isinstance(given, list | tuple) or len(given) != len(value):
+    if not isinstance(entry, list | tuple) or len(entry) != len(value):
         return False
-    return all(_is_same(one, other) for one, other in zip(given, value, strict=True))
+    return all(_is_same(part, other) for part, other in zip(entry, value, strict=True))
 
 
 def find_crossing(text: Any, axes: Mapping[str, Axis]) -> Place:
@@ -196,15 +196,15 @@ def find_crossing(text: Any, axes: Mapping[str, Axis]) -> Place:
     names = [name.strip() for name in text.split(BETWEEN)]
     for name in names:
         if name not in axes:
-            known = f"one of the axes {one_of(list(axes))}" if axes else "axes, and [[axes]] that says where they are"
-            found = f"{describe(text)}, and no axis {describe(name)}"
-            raise FieldError(RelativeIssue((), found, known, suggestion(name, axes)))
+            named = f"one of the axes {one_of(list(axes))}" if axes else "axes, and [[axes]] that says where they are"
+            unknown_axis = f"{describe(text)}, and no axis {describe(name)}"
+            raise FieldError(RelativeIssue((), unknown_axis, named, suggestion(name, axes)))
     places = crossings(axes[names[0]], axes[names[1]])
     if len(places) == 1:
         return places[0]
-    found = "that cross at two places" if places else "that do not cross"
+    meeting = "that cross at two places" if places else "that do not cross"
     hint = "rays cross rings once; give x and y" if places else ""
-    raise FieldError(RelativeIssue((), f"{describe(text)}, axes {found}", expected, hint))
+    raise FieldError(RelativeIssue((), f"{describe(text)}, axes {meeting}", expected, hint))
 
 
 def name_of_crossing(place: Place, axes: Sequence[AnyAxes]) -> str:

@@ -187,28 +187,28 @@ def check_axes(axes: tuple[AnyAxes, ...]) -> Iterator[RelativeIssue]:
         positions |= {axis.name: position for axis in family.axes}
 
 
-def crossings(one: Axis, other: Axis) -> tuple[Place, ...]:
+def crossings(axis: Axis, other: Axis) -> tuple[Place, ...]:
     """Return where two axes cross [m], none if they do not; where they only touch counts."""
-    if one.direction is None and other.direction is None:
+    if axis.direction is None and other.direction is None:
         return ()  # rings about one center do not cross, and others would twice
-    if one.direction is None:
-        return crossings(other, one)
-    ways = _ways_to_ring(one, other) if other.direction is None else _ways_to_line(one, other)
-    (x, y), (u, v) = one.place, one.direction
+    if axis.direction is None:
+        return crossings(other, axis)
+    ways = _ways_to_ring(axis, other) if other.direction is None else _ways_to_line(axis, other)
+    (x, y), (u, v) = axis.place, axis.direction
     return tuple((round(x + way * u, DIGITS) + 0.0, round(y + way * v, DIGITS) + 0.0) for way in ways)
 
 
-def _ways_to_line(one: Axis, other: Axis) -> Sequence[float]:
+def _ways_to_line(axis: Axis, other: Axis) -> Sequence[float]:
     """Return how far along one line the other one crosses it."""
-    assert one.direction is not None
+    assert axis.direction is not None
     assert other.direction is not None
-    (u, v), (s, t) = one.direction, other.direction
-    dx, dy = other.place[0] - one.place[0], other.place[1] - one.place[1]
+    (u, v), (s, t) = axis.direction, other.direction
+    dx, dy = other.place[0] - axis.place[0], other.place[1] - axis.place[1]
     cross = u * t - v * s
     if abs(cross) < 1e-9:
         return ()
     way, way_of_other = (dx * t - dy * s) / cross, (dx * v - dy * u) / cross
-    starts = (one.ray and way < -1e-9) or (other.ray and way_of_other < -1e-9)
+    starts = (axis.ray and way < -1e-9) or (other.ray and way_of_other < -1e-9)
     return () if starts else (way,)
 
 

@@ -56,8 +56,8 @@ class Limits(Section):
 
 def _check_strength(phi: float | None, c_u: float | None, c: float, delta: float | None) -> Iterator[RelativeIssue]:
     if (phi is None) == (c_u is None):
-        found = "neither phi nor c_u" if phi is None else "both phi and c_u"
-        yield RelativeIssue(("phi",), found, "one of them", "phi with c of a drained soil, c_u of an undrained one")
+        stated = "neither phi nor c_u" if phi is None else "both phi and c_u"
+        yield RelativeIssue(("phi",), stated, "one of them", "phi with c of a drained soil, c_u of an undrained one")
     elif phi is None and c:
         yield RelativeIssue(("c",), repr(c), "no cohesion together with c_u", "leave it out")
     elif phi is not None and delta is not None and delta > phi:

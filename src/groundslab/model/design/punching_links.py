@@ -21,8 +21,8 @@ DISTANCE = Range(above=0, at_most=50.0)
 
 def _check_legs(legs: tuple[int, ...], distances: tuple[float, ...]) -> Iterator[RelativeIssue]:
     if len(legs) not in (1, len(distances)):
-        found = f"{len(legs)} numbers for {len(distances)} perimeters"
-        yield RelativeIssue(("legs",), found, "one for each perimeter, or one for all of them")
+        counts = f"{len(legs)} numbers for {len(distances)} perimeters"
+        yield RelativeIssue(("legs",), counts, "one for each perimeter, or one for all of them")
 
 
 class PunchingLinks(Section):

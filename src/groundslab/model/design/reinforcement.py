@@ -125,11 +125,11 @@ def _check_shear_links(shear_links: tuple[ShearLinks, ...]) -> Iterator[Relative
 
 def _check_links(code: str, links: tuple[PunchingLinks, ...]) -> Iterator[RelativeIssue]:
     seen = set[str]()
-    for position, given in enumerate(links):
-        if given.of in seen:
-            yield RelativeIssue(("links", position, "of"), f"{quote(given.of)} again", "all its links at one place")
-        seen.add(given.of)
-        if given.kind == "studs" and code != "ACI 318":
+    for position, entry in enumerate(links):
+        if entry.of in seen:
+            yield RelativeIssue(("links", position, "of"), f"{quote(entry.of)} again", "all its links at one place")
+        seen.add(entry.of)
+        if entry.kind == "studs" and code != "ACI 318":
             expected, hint = f"links with {code}", "studs follow their approval, which is not known here"
             yield RelativeIssue(("links", position, "kind"), '"studs"', expected, hint)
 
@@ -188,14 +188,14 @@ def _check_code(code: str, given: set[str]) -> Iterator[RelativeIssue]:
 def check_concrete(concrete: str | None, f_ck: float | None) -> Iterator[RelativeIssue]:
     """Find concrete that is given neither by class nor by strength, or by both."""
     if (concrete is None) == (f_ck is None):
-        found = "neither concrete nor f_ck" if concrete is None else "both concrete and f_ck"
-        yield RelativeIssue(("concrete",), found, "one of them", 'such as concrete = "C30/37"')
+        stated = "neither concrete nor f_ck" if concrete is None else "both concrete and f_ck"
+        yield RelativeIssue(("concrete",), stated, "one of them", 'such as concrete = "C30/37"')
 
 
 def _check_steel(code: str, steel: str | None, f_yk: float | None) -> Iterator[RelativeIssue]:
     if (steel is None) == (f_yk is None):
-        found = "neither steel nor f_yk" if steel is None else "both steel and f_yk"
-        yield RelativeIssue(("steel",), found, "one of them", 'such as steel = "B500B"')
+        stated = "neither steel nor f_yk" if steel is None else "both steel and f_yk"
+        yield RelativeIssue(("steel",), stated, "one of them", 'such as steel = "B500B"')
     if f_yk is not None and code != "ACI 318" and not STEEL.holds(f_yk):
         expected = f"400 to 600 MPa by {code}"
         yield RelativeIssue(("f_yk",), f"{f_yk / 1e6:g} MPa", expected, "ACI 318 knows 276 to 690 MPa")
@@ -447,8 +447,8 @@ def check_bar_zones(
     covered = PlateRegion(plate, plates)
     count = covered.size / min(bars.spacing for bars in (*base, *(z.bars for z in reinforcement.zones)) if bars)
     if count > MOST_BARS:
-        found = f"about {count:.3g} bars next to each other"
-        yield RelativeIssue(("reinforcement",), found, f"at most {MOST_BARS:,}", "a larger spacing")
+        bar_count = f"about {count:.3g} bars next to each other"
+        yield RelativeIssue(("reinforcement",), bar_count, f"at most {MOST_BARS:,}", "a larger spacing")
     axes = dict(zip(get_args(Layer), (*reinforcement.bottom_axes, *reinforcement.top_axes), strict=True))
     for position, zone in enumerate(reinforcement.zones):
         if covered.area.intersection(zone.shape.ring().polygon(CHORD * covered.size)).area == 0:
@@ -464,19 +464,19 @@ def check_beta(reinforcement: Reinforcement | None, columns: tuple[Column, ...])
     """Find constants of beta in a case that is not stated to be braced, and betas of columns that no code has."""
     if reinforcement is None:
         return
-    own = [column.beta for column in columns]
+    betas = [column.beta for column in columns]
     if reinforcement.code == "EN 1992-1-1:2023":
         places = [("reinforcement", "beta"), *(("columns", position, "beta") for position in range(len(columns)))]
-        for place, beta in zip(places, (reinforcement.beta, *own), strict=True):
+        for place, beta in zip(places, (reinforcement.beta, *betas), strict=True):
             if beta == "constant":
                 expected = '"code", "sectors" or a number'
                 yield RelativeIssue(place, "a constant beta", expected, "those of its Table 8.3 are not known here")
         return
-    if "constant" in (reinforcement.beta, *own) and not reinforcement.braced:
+    if "constant" in (reinforcement.beta, *betas) and not reinforcement.braced:
         expected = "braced = true, that lateral stability does not depend on frame action"
         hint = 'else beta = "code" or "sectors"'
         yield RelativeIssue(("reinforcement", "braced"), "a constant beta of a case that is not braced", expected, hint)
-    for position, beta in enumerate(own):
+    for position, beta in enumerate(betas):
         if beta is not None and reinforcement.code == "ACI 318":
             yield RelativeIssue(("columns", position, "beta"), "beta with ACI 318", "no beta")
 
@@ -492,19 +492,19 @@ def check_links(
     """Find links around what is not there."""
     if reinforcement is None or not reinforcement.links:
         return
-    known = [column.name for column in columns]
-    known += [support.name or f"support {number}" for number, support in enumerate(supports, start=1)]
+    names = [column.name for column in columns]
+    names += [support.name or f"support {number}" for number, support in enumerate(supports, start=1)]
     placed = [wall for wall in place_walls(walls, list_plates(plate, plates)) if not any(check_doors(wall, NO_LENGTH))]
-    known += [end.name for end in wall_ends(placed)]
+    names += [end.name for end in wall_ends(placed)]
     for position, links in enumerate(reinforcement.links):
-        if known.count(links.of) > 1:
-            found, expected = f"{quote(links.of)}, the name of several", "other names of some of them"
-            yield RelativeIssue(("reinforcement", "links", position, "of"), found, expected)
+        if names.count(links.of) > 1:
+            shared_name, expected = f"{quote(links.of)}, the name of several", "other names of some of them"
+            yield RelativeIssue(("reinforcement", "links", position, "of"), shared_name, expected)
         # ends over openings of the plate, and zones that are judged together, are known by the results
-        if links.of not in known and not re.match(r"zones? \d|edge at ", links.of):
+        if links.of not in names and not re.match(r"zones? \d|edge at ", links.of):
             place = ("reinforcement", "links", position, "of")
             expected = "the name of a column, pile, zone or end of a wall"
-            yield RelativeIssue(place, quote(links.of), expected, suggestion(links.of, known))
+            yield RelativeIssue(place, quote(links.of), expected, suggestion(links.of, names))
 
 
 def check_strips(
@@ -564,8 +564,8 @@ def check_beam_links(
             if way > length * (1 + ROUNDING):
                 yield RelativeIssue((*place, key), f"{way!r} m", f"at most {length!r} m, where {links.of} ends")
         if any(links.start < high and end > low for low, high in parts.get(links.of, ())):
-            found = f"links of {quote(links.of)} at a place that has some"
-            yield RelativeIssue(place, found, "parts that do not overlap", "start and end bound them")
+            overlap = f"links of {quote(links.of)} at a place that has some"
+            yield RelativeIssue(place, overlap, "parts that do not overlap", "start and end bound them")
         parts.setdefault(links.of, []).append((links.start, end))
 
 

@@ -50,9 +50,9 @@ def check_ground_loads(
                 yield RelativeIssue(on, '"ground" on ground without shear', "ground that carries shear", hint)
             elif beyond.kind == "none":
                 hint = 'beyond.kind = "infinite", or "margin" with a width'
-                found = '"ground", which ends with the plate'
+                ground_end = '"ground", which ends with the plate'
                 repairs = (set_value(("beyond", "kind"), "infinite"),)
-                yield RelativeIssue(on, found, "ground beyond the plate", hint, repairs)
+                yield RelativeIssue(on, ground_end, "ground beyond the plate", hint, repairs)
             else:
                 yield from _check_reach(get_plate_region(plate, plates), beyond, load, place)
 
@@ -70,11 +70,11 @@ def _check_reach(
             assert beyond.width is not None
             reach = beyond.width
         if distance > reach + region.rounding:
-            found = f"a load that reaches {distance:.6g} m beyond the plate's {side} side"
+            far_load = f"a load that reaches {distance:.6g} m beyond the plate's {side} side"
             ends = reach < FARTHEST * size
             expected = f"at most {reach:g} m, where the ground ends" if ends else f"at most {reach:g} m"
             hint = "beyond says how far the ground goes" if ends else "a load so far away has no effect"
-            yield RelativeIssue(place, found, expected, hint)
+            yield RelativeIssue(place, far_load, expected, hint)
             return
     shape = load.acts[0].to_shapely()
     if shape.difference(region.grown).area <= NO_PART * shape.area:

@@ -68,13 +68,13 @@ def check_core_moments(
     loads: tuple[object, ...], cores: tuple[Core, ...], walls: tuple[Wall, ...], plates: tuple[AnyPlate, ...]
 ) -> Iterator[RelativeIssue]:
     """Find moments across cores whose walls all stand in one line; cores that are wrong have issues of their own."""
-    known = {} if any(check_cores(cores, walls, plates)) else {core.name: core for core in cores}
+    by_name = {} if any(check_cores(cores, walls, plates)) else {core.name: core for core in cores}
     for position, load in enumerate(loads):
-        if not isinstance(load, CoreLoad) or load.core not in known:
+        if not isinstance(load, CoreLoad) or load.core not in by_name:
             continue
-        left = np.abs(section_of(known[load.core], walls, plates).not_carried((load.M_x, load.M_y)))
+        left = np.abs(section_of(by_name[load.core], walls, plates).not_carried((load.M_x, load.M_y)))
         if left.any():
             place = ("loads", position, ("M_x", "M_y")[int(left.argmax())])
             across = show(float(np.hypot(*left)), "moment")
-            found = f"{across} across core {quote(load.core)}, whose walls stand in one line"
-            yield RelativeIssue(place, found, "a moment along them", "walls in two directions carry any moment")
+            across_core = f"{across} across core {quote(load.core)}, whose walls stand in one line"
+            yield RelativeIssue(place, across_core, "a moment along them", "walls in two directions carry any moment")

@@ -152,7 +152,7 @@ def _partial_factors(count: int, gammas: tuple[float, float], separate: bool) ->
         yield from ((gamma,) * count for gamma in gammas)
 
 
-def _terms(actions: Sequence[LoadCase], rule: _Rule, given: dict[str, float]) -> Iterator[Terms]:
+def _terms(actions: Sequence[LoadCase], rule: _Rule, factors: dict[str, float]) -> Iterator[Terms]:
     """Yield the factors of each combination that are not zero, with those given of other than variable actions.
 
     Without a leader, as in 6.10a and quasi-permanent combinations, all variable actions accompany.
@@ -165,7 +165,7 @@ def _terms(actions: Sequence[LoadCase], rule: _Rule, given: dict[str, float]) ->
         others = [action for action in variable if follow and _may_join(action, leader)]
         psi: dict[str, float] = {action.name: getattr(action, rule.accompanying) for action in others}
         for company in _subsets([action for action in others if psi[action.name] > 0]):
-            chosen = given | {action.name: rule.variable * psi[action.name] for action in company}
+            chosen = factors | {action.name: rule.variable * psi[action.name] for action in company}
             if leader is not None:
                 chosen[leader.name] = rule.variable * (getattr(leader, rule.leading) if rule.leading else 1.0)
             yield _in_order(actions, chosen)
@@ -228,5 +228,5 @@ def check_combine(
         yield RelativeIssue(("combine",), "no combination that is not nothing", "factors and shares that are not all 0")
     for position, combination in enumerate(combinations):
         if combination.name in generated:
-            found = f"{describe(combination.name)}, which combine makes as well"
-            yield RelativeIssue(("combinations", position, "name"), found, "a unique name")
+            generated_name = f"{describe(combination.name)}, which combine makes as well"
+            yield RelativeIssue(("combinations", position, "name"), generated_name, "a unique name")

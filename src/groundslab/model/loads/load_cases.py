@@ -228,12 +228,12 @@ def check_case_names(
             continue
         if name not in known_names:
             expected = one_of(names) if names else "no case, as there are no [[cases]]"
-            found = describe(name) if name else "no case"
+            named_case = describe(name) if name else "no case"
             place, hint = (part, position, key), suggestion(name, names)
             repairs = use_nearest(place, name, names)
             repairs += _add_case(name) if name else ()
             repairs += () if names else (remove(place),)
-            yield RelativeIssue(place, found, expected, hint, repairs)
+            yield RelativeIssue(place, named_case, expected, hint, repairs)
 
 
 def check_factors(combinations: tuple[Combination, ...], cases: tuple[LoadCase, ...]) -> Iterator[RelativeIssue]:

@@ -112,8 +112,8 @@ Pattern = Annotated[AnyPattern, ByKind()]
 def _check_path(points: tuple[tuple[float, float], ...], step: float | None) -> Iterator[RelativeIssue]:
     for position, (a, b) in enumerate(pairwise(points), start=1):
         if math.dist(a, b) < NO_LENGTH:
-            found = f"({b[0]!r}, {b[1]!r}) m twice"
-            yield RelativeIssue(("points", position), found, "another place than the one before")
+            repeated = f"({b[0]!r}, {b[1]!r}) m twice"
+            yield RelativeIssue(("points", position), repeated, "another place than the one before")
     if len(points) > 1 and step is None:
         yield RelativeIssue(("step",), "nothing", 'a step along the path such as "0.5 m"', "one point is a fixed place")
     elif len(points) == 1 and step is not None:
@@ -302,8 +302,8 @@ def check_patterns(
     paths = [(move.case, move.name) for move in moves if move.travels]
     for number, move in enumerate(moves):
         if move.travels and paths.count((move.case, move.name)) > 1:
-            found = f"several paths of {describe(move.case)}"
-            yield RelativeIssue(("moves", number, "name"), found, "a unique name for each")
+            same_paths = f"several paths of {describe(move.case)}"
+            yield RelativeIssue(("moves", number, "name"), same_paths, "a unique name for each")
 
 
 def _check_places(covered: PlateRegion, pattern: AnyPattern, move: Move, number: int) -> Iterator[RelativeIssue]:
@@ -313,9 +313,9 @@ def _check_places(covered: PlateRegion, pattern: AnyPattern, move: Move, number:
         standing = loads_on_plate(covered, loads)
         if not standing or (not move.travels and len(standing) < len(loads)):
             where = f"at {station.distance:.2f} m of the path" if move.travels else "at its place"
-            found = f"{len(loads) - len(standing)} of {len(loads)} forces off the plate {where}"
+            off_plate = f"{len(loads) - len(standing)} of {len(loads)} forces off the plate {where}"
             expected = "some on it, with their footprints" if move.travels else "all on it, with their footprints"
-            yield RelativeIssue(("moves", number, "points"), found, expected)
+            yield RelativeIssue(("moves", number, "points"), off_plate, expected)
             return
 
 

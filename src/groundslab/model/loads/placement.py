@@ -50,8 +50,8 @@ def on_plate(covered: PlateRegion, part: Placed, place: tuple[str | int, ...]) -
         values = () if value is None else value if isinstance(value, tuple) else (value,)
         if any(not low - near <= value <= high + near for value in values):
             said = [f"{coordinate(value)!r} m" for value in (*values, low, high)]
-            found = said[0] if len(values) == 1 else f"[{', '.join(said[:-2])}]"
-            yield RelativeIssue((*place, axis), found, f"a position on the plate, from {said[-2]} to {said[-1]}", hint)
+            where = said[0] if len(values) == 1 else f"[{', '.join(said[:-2])}]"
+            yield RelativeIssue((*place, axis), where, f"a position on the plate, from {said[-2]} to {said[-1]}", hint)
             outside = True
     # for points and what runs along the sides of a rectangle that is all
     plain = plate.outline is None and not plate.openings and not covered.plates
@@ -76,11 +76,11 @@ def _on_shape(covered: PlateRegion, part: Placed, place: tuple[str | int, ...]) 
     if not covered.reach.covers(loaded):
         left = loaded.difference(covered.area)
         off = left.representative_point()
-        found, hint = f"a part off the plate, at {format_place((off.x, off.y))} m", ""
+        outside, hint = f"a part off the plate, at {format_place((off.x, off.y))} m", ""
         if _has_footprint(part) and left.area < loaded.area:
-            found = f"a footprint of which {100 * left.area / loaded.area:.3g} % lies off the plate"
+            outside = f"a footprint of which {100 * left.area / loaded.area:.3g} % lies off the plate"
             hint = "move it or make it smaller; a force is not cut off at the edge as a pressure is"
-        yield RelativeIssue(place, found, expected, hint)
+        yield RelativeIssue(place, outside, expected, hint)
 
 
 def check_point_loads(
@@ -116,9 +116,9 @@ def check_load_walls(loads: tuple[AnyLoad, ...], walls: tuple[Wall, ...]) -> Ite
         if isinstance(load, LineLoad | LineMoment) and load.wall in closed:
             key = "q_end" if isinstance(load, LineLoad) else "m_end"
             if getattr(load, key) is not None:
-                found = f"{key} on wall {describe(load.wall)}, a closed curve"
+                varying = f"{key} on wall {describe(load.wall)}, a closed curve"
                 hint = "all of a closed wall bears the same"
-                yield RelativeIssue(("loads", position, key), found, "a wall with two ends", hint)
+                yield RelativeIssue(("loads", position, key), varying, "a wall with two ends", hint)
 
 
 def _check_names_of(loads: tuple[AnyLoad, ...], key: str, names: list[str]) -> Iterator[RelativeIssue]:
@@ -165,13 +165,13 @@ def weights_of(
     """
     every, region = list_plates(plate, plates), get_plate_region(plate, plates)
     for beam in beams:
-        parts = [(own, beam.beside_plate(thickness), part) for own in every for way in ways_on_plates(beam, own)
-                 for thickness, part in _parts_by_thickness(beam, own, way)]  # fmt: skip
+        parts = [(slab, beam.beside_plate(thickness), part) for slab in every for way in ways_on_plates(beam, slab)
+                 for thickness, part in _parts_by_thickness(beam, slab, way)]  # fmt: skip
         for start, end in spans_of(beam, plate, plates):
             points, _ = part_of_line(beam.edges, start, end)
             parts.append((every[region.plate_at(points[0])], beam.beside_plate(0.0), (start, end)))
-        for own, area, way in parts:
-            if area > 0 and load.plate in ("", own.name):
+        for slab, area, way in parts:
+            if area > 0 and load.plate in ("", slab.name):
                 whole = way[1] - way[0] >= (1 - NO_PART) * beam.length
                 edges = beam.edges if whole else line_segments(*part_of_line(beam.edges, *way), None)
                 yield LineForce(edges, q=(load.unit_weight * area,) * 2)
@@ -179,8 +179,8 @@ def weights_of(
 
 def weights_of_pits(plate: Plate, plates: tuple[FurtherPlate, ...], load: SelfWeight) -> Iterator[LineForce]:
     """Yield the weight of the walls of each pit along their axes, on the plates that a load names."""
-    for own in list_plates(plate, plates):
-        for pit in pits_of(own) if load.plate in ("", own.name) else ():
+    for slab in list_plates(plate, plates):
+        for pit in pits_of(slab) if load.plate in ("", slab.name) else ():
             edges = pit.ring.segments()
-            q = load.unit_weight * pit.volume(chord_of(own)) / sum(edge.length for edge in edges)
+            q = load.unit_weight * pit.volume(chord_of(slab)) / sum(edge.length for edge in edges)
             yield LineForce(edges, q=(q, q))

@@ -90,11 +90,11 @@ def first_sections(plates: Sequence[AnyPlate]) -> list[int]:
     return list(accumulate((1 + len(plate.zones) for plate in plates[:-1]), initial=0))
 
 
-def shared_line(one: AnyPlate, other: AnyPlate) -> BaseGeometry:
+def shared_line(plate: AnyPlate, other: AnyPlate) -> BaseGeometry:
     """Return the line that the outlines of two plates share, arcs as chords; points where they only touch."""
-    x0, x1, y0, y1 = get_bounds(edge for slab in (one, other) for edge in slab.ring().segments())
+    x0, x1, y0, y1 = get_bounds(edge for slab in (plate, other) for edge in slab.ring().segments())
     chord = CHORD * max(x1 - x0, y1 - y0)
-    edge, beside = (slab.ring().polygon(chord).exterior for slab in (one, other))
+    edge, beside = (slab.ring().polygon(chord).exterior for slab in (plate, other))
     return edge.intersection(beside.buffer(same_place(x0, x1, y0, y1)))
 
 
@@ -103,11 +103,11 @@ def check_plates(plate: Plate, plates: tuple[FurtherPlate, ...], joints: Sequenc
     seen = {plate.name} - {""}
     for position, further in enumerate(plates):
         if not further.name or further.name in seen:
-            found = f"{describe(further.name)} again" if further.name else "no name"
+            bad_name = f"{describe(further.name)} again" if further.name else "no name"
             place = ("plates", position, "name")
             taken = [plate.name, *(other.name for other in plates)]
             repairs = use_free_name(place, further.name or "plate", taken)
-            yield RelativeIssue(place, found, "a unique name", repairs=repairs)
+            yield RelativeIssue(place, bad_name, "a unique name", repairs=repairs)
         seen.add(further.name)
     if not plates:
         return
@@ -124,22 +124,22 @@ def check_plates(plate: Plate, plates: tuple[FurtherPlate, ...], joints: Sequenc
             yield RelativeIssue(("plates", second - 1, "outline"), meeting.format(name), expected, hint)
 
 
-def _find_meeting(one: AnyPlate, other: FurtherPlate, size: float, joined: bool) -> str | None:
+def _find_meeting(plate: AnyPlate, other: FurtherPlate, size: float, joined: bool) -> str | None:
     """Return how a plate meets another one, whose name is {}, though it may not; size is that of all plates [m].
 
     At a single point they may touch without a joint.
     """
     from shapely import union_all
 
-    outline, beside = (slab.ring().polygon(CHORD * size) for slab in (one, other))
-    openings = union_all([opening.ring().polygon(CHORD * size) for opening in one.openings])
+    outline, beside = (slab.ring().polygon(CHORD * size) for slab in (plate, other))
+    openings = union_all([opening.ring().polygon(CHORD * size) for opening in plate.openings])
     shared = outline.intersection(beside)
     if shared.area > (CHORD * size) ** 2:
         if openings.contains(beside):
             return "a plate in an opening of {}"
         at = shared.representative_point()
         return f"a plate that overlaps {{}} at {format_place((at.x, at.y))} m"
-    if outline.distance(beside) > same_place(*get_bounds((*one.ring().segments(), *other.ring().segments()))):
+    if outline.distance(beside) > same_place(*get_bounds((*plate.ring().segments(), *other.ring().segments()))):
         return "a strip too narrow to mesh next to {}" if outline.distance(beside) < TOO_CLOSE * size else None
-    touches = shared_line(one, other).length > TOO_CLOSE * size
+    touches = shared_line(plate, other).length > TOO_CLOSE * size
     return "a plate that touches {} without a joint" if touches and not joined else None

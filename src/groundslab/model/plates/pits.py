@@ -118,10 +118,10 @@ def check_pits(plate: Plate, plates: tuple[FurtherPlate, ...]) -> Iterator[Relat
 def _check_depth(pit: Pit) -> Iterator[RelativeIssue]:
     """Find a pit whose underside lies no deeper than that of the slab around it."""
     if pit.deeper < LEAST_STEP:
-        found = f"{show(pit.level, 'length')}, with a floor {show(pit.thickness, 'length')} thick"
+        shallow_pit = f"{show(pit.level, 'length')}, with a floor {show(pit.thickness, 'length')} thick"
         expected = f"an underside deeper than that of the slab, below {show(pit.thickness - pit.around, 'length')}"
         hint = "a recess in the top side alone is a zone of less thickness"
-        yield RelativeIssue(("level",), found, expected, hint)
+        yield RelativeIssue(("level",), shallow_pit, expected, hint)
 
 
 def _check_place(pit: Pit, slab: AnyPlate) -> Iterator[RelativeIssue]:
@@ -134,20 +134,20 @@ def _check_place(pit: Pit, slab: AnyPlate) -> Iterator[RelativeIssue]:
     hint = "its walls reach half their thickness beyond its shape; only a pit within one plate is known"
     if not outline.buffer(2 * chord).covers(outer):
         off = outer.difference(outline).representative_point()
-        found = f"a pit whose walls leave the plate at {format_place((off.x, off.y))}"
-        yield RelativeIssue(("shape",), found, "a pit inside the plate, clear of its edges and joints", hint)
+        leaving = f"a pit whose walls leave the plate at {format_place((off.x, off.y))}"
+        yield RelativeIssue(("shape",), leaving, "a pit inside the plate, clear of its edges and joints", hint)
     met = outer.intersection(union_all(openings))
     if met.area > chord * outer.length:
         at = met.representative_point()
-        found = f"a pit whose walls meet an opening at {format_place((at.x, at.y))}"
-        yield RelativeIssue(("shape",), found, "a pit clear of openings", hint)
+        meeting = f"a pit whose walls meet an opening at {format_place((at.x, at.y))}"
+        yield RelativeIssue(("shape",), meeting, "a pit clear of openings", hint)
     if pit.area(chord).buffer(-(1 + LEAST_WIDTH) * pit.wall / 2).is_empty:
-        found = f"walls of {show(pit.wall, 'length')} in a pit that is hardly wider"
-        yield RelativeIssue(("wall",), found, "walls with a floor between them")
+        thick_walls = f"walls of {show(pit.wall, 'length')} in a pit that is hardly wider"
+        yield RelativeIssue(("wall",), thick_walls, "walls with a floor between them")
     for number, zone in enumerate(slab.zones, start=1):
         other = zone.shape.ring().polygon(chord)
         around = zone.level is None and number < pit.number and other.buffer(2 * chord).covers(outer)
         if number != pit.number and not around and other.buffer(-chord).intersects(outer):
-            found, expected = f"a pit that meets zones[{number}]", "a pit apart from other zones"
+            zone_met, expected = f"a pit that meets zones[{number}]", "a pit apart from other zones"
             hint = "its walls count with it; a zone before it may lie all around it"
-            yield RelativeIssue(("shape",), found, expected, hint)
+            yield RelativeIssue(("shape",), zone_met, expected, hint)

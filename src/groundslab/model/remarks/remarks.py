@@ -174,9 +174,9 @@ def _on_limit_states(uses: Sequence[CaseUse], combinations: Sequence[Combination
 
     A variable case may have no part in serviceability, as with psi_2 = 0; accidental and seismic ones have none.
     """
-    there = {combination.limit_state for combination in combinations}
+    limit_states = {combination.limit_state for combination in combinations}
     for words, states in _FAMILIES:
-        if not there & set(states):
+        if not limit_states & set(states):
             continue
         for position, use in enumerate(uses):
             name, action = use.case.name, use.case.action

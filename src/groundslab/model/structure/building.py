@@ -87,8 +87,8 @@ def _check_kind(
     frame = [key for key in of_frame if key in given]
     if nodes or file or "matrix" in given:
         for key in frame:
-            found, hint = f"{key} together with a matrix", "the matrix is all of the building's stiffness"
-            yield RelativeIssue((key,), found, "a frame or a matrix", hint, (remove((key,)),))
+            key_with_matrix, hint = f"{key} together with a matrix", "the matrix is all of the building's stiffness"
+            yield RelativeIssue((key,), key_with_matrix, "a frame or a matrix", hint, (remove((key,)),))
         return
     if "unit" in given:
         yield RelativeIssue(("unit",), "unit without a matrix", "nodes and their matrix")
@@ -106,8 +106,8 @@ def _check_storeys(
 ) -> Iterator[RelativeIssue]:
     """Find storeys that are not there, and beams that start where they end."""
     members: list[tuple[str, int, BuildingColumns | BuildingBeams]] = []
-    members += [("columns", number, each) for number, each in enumerate(columns)]
-    members += [("beams", number, each) for number, each in enumerate(beams)]
+    members += [("columns", number, group) for number, group in enumerate(columns)]
+    members += [("beams", number, group) for number, group in enumerate(beams)]
     for key, number, member in members:
         for position, storey in enumerate(member.storeys or ()):
             if storey > len(storeys) > 0:
@@ -160,18 +160,18 @@ def _check_matrix(
     off = np.abs(K - K.T)
     if off.max() > DIGITS * largest:
         i, j = divmod(int(off.argmax()), rows)
-        found = f"{matrix[i][j]!r} in row {i + 1}, column {j + 1}, and {matrix[j][i]!r} in row {j + 1}, column {i + 1}"
-        yield RelativeIssue(("matrix", i, j), found, "a symmetric matrix", "what A does to B, B does to A")
+        pair = f"{matrix[i][j]!r} in row {i + 1}, column {j + 1}, and {matrix[j][i]!r} in row {j + 1}, column {i + 1}"
+        yield RelativeIssue(("matrix", i, j), pair, "a symmetric matrix", "what A does to B, B does to A")
         return
     # forces and moments alike: each by the largest that resists a motion of its kind
     kind = np.tile(np.minimum(np.arange(rows // n), 1), n)
-    sizes = np.array([np.abs(K[np.ix_(kind == each, kind == each)]).max(initial=0.0) or largest for each in (0, 1)])
+    sizes = np.array([np.abs(K[np.ix_(kind == which, kind == which)]).max(initial=0.0) or largest for which in (0, 1)])
     scale = np.sqrt(sizes)[kind]
     least = float(np.linalg.eigvalsh((K + K.T) / 2 / np.outer(scale, scale))[0])
     if least < -DIGITS:
-        found = f"a matrix that is not positive: some motion gains {-least:.3g} of the largest resistance of its kind"
+        gain = f"a matrix that is not positive: some motion gains {-least:.3g} of the largest resistance of its kind"
         hint = "are forces downwards positive like settlements, and moments like slopes?"
-        yield RelativeIssue(("matrix",), found, "a matrix that resists every motion or lets it be", hint)
+        yield RelativeIssue(("matrix",), gain, "a matrix that resists every motion or lets it be", hint)
 
 
 class Building(Section):
@@ -254,8 +254,8 @@ class Base:
             return np.zeros(2)
         edge = self.wall.edges[0]
         half = np.subtract(edge.end, edge.start) / 2
-        found: Array = np.clip(half @ way / (half @ half), -1.0, 1.0) * half
-        return found
+        offset: Array = np.clip(half @ way / (half @ half), -1.0, 1.0) * half
+        return offset
 
 
 def bases(
@@ -293,11 +293,11 @@ def check_building(
         hint = "checks of a floor know its loads as they are given"
         yield RelativeIssue(("building",), "a building on an industrial floor", "no floor, or no building", hint)
     if plates and isinstance(ground, ContinuousGround):
-        found, hint = (
+        several_plates, hint = (
             f"a building on several plates on {quote(ground.kind)} ground",
             "Winkler, Pasternak, Vlasov and layered ground take several",
         )
-        yield RelativeIssue(("building",), found, "one plate", hint)
+        yield RelativeIssue(("building",), several_plates, "one plate", hint)
     every_plate = list_plates(plate, plates)
     unfit = [*_check_names(building, columns, place_walls(walls, every_plate))]
     yield from unfit
@@ -319,7 +319,7 @@ def _check_names(building: Building, columns: tuple[Column, ...], walls: tuple[W
     named += [(("beams", number, "through", position), name, every)
               for number, beam in enumerate(building.beams) for position, name in enumerate(beam.through)]  # fmt: skip
     named += [(("columns", number, "names", position), name, of_columns)
-              for number, own in enumerate(building.columns) for position, name in enumerate(own.names)]  # fmt: skip
+              for number, kind in enumerate(building.columns) for position, name in enumerate(kind.names)]  # fmt: skip
     for place, name, known_names in named:
         where = ("building", *place)
         if name not in known_names:
@@ -332,8 +332,8 @@ def _check_names(building: Building, columns: tuple[Column, ...], walls: tuple[W
         elif name in of_walls and of_walls[name].doors:
             expected, hint = "a wall without doors", "its parts between doors are walls by themselves"
             yield RelativeIssue(where, f"wall {quote(name)}, which has openings", expected, hint)
-        elif name in of_walls and not building.nodes and (found := _why_no_member(of_walls[name])):
-            yield RelativeIssue(where, f"wall {quote(name)}, {found[0]}", found[1])
+        elif name in of_walls and not building.nodes and (reason := _why_no_member(of_walls[name])):
+            yield RelativeIssue(where, f"wall {quote(name)}, {reason[0]}", reason[1])
 
 
 def _why_no_member(wall: Wall) -> tuple[str, str] | None:
@@ -361,15 +361,15 @@ def _check_beams(building: Building, every: tuple[Base, ...]) -> Iterator[Relati
             place = ("building", "beams", number, "through", position + 1)
             between = {(frozenset((first, other)), storey) for storey in _storeys(building, beam)}
             if between & beams_between:
-                found = f"a second beam between {quote(first)} and {quote(other)}"
-                yield RelativeIssue(place, found, "one beam on each storey", "one section may stand for both")
+                second_beam = f"a second beam between {quote(first)} and {quote(other)}"
+                yield RelativeIssue(place, second_beam, "one beam on each storey", "one section may stand for both")
             beams_between |= between
             way = np.subtract(at[other].place, at[first].place)
             free = way + at[other].arm(-way) - at[first].arm(way) if way.any() else way
             if not free @ way > 0:
-                found = f"no length from {quote(first)} to {quote(other)}"
+                no_length = f"no length from {quote(first)} to {quote(other)}"
                 hint = "one of them stands where the other one does"
-                yield RelativeIssue(place, found, "a beam", hint)
+                yield RelativeIssue(place, no_length, "a beam", hint)
 
 
 def _check_balance(building: Building, every: tuple[Base, ...]) -> Iterator[RelativeIssue]:
@@ -383,24 +383,24 @@ def _check_balance(building: Building, every: tuple[Base, ...]) -> Iterator[Rela
             continue  # bases in a row that only settle are not moved by a tilt across it
         size = np.abs(K) @ np.abs(motion)
         if (off := np.abs(K @ motion)).max() > DIGITS * size.max():
-            found = f"a matrix that resists {way}, with {off.max() / size.max():.3g} of what parts of it resist"
+            resists = f"a matrix that resists {way}, with {off.max() / size.max():.3g} of what parts of it resist"
             hint = "bases must be free to turn, or their slopes be in the matrix; nothing but the slab may hold it"
-            yield RelativeIssue(("building", "matrix"), found, "one that no motion of all its nodes together strains",
+            yield RelativeIssue(("building", "matrix"), resists, "one that no motion of all its nodes together strains",
                                 hint)  # fmt: skip
             return
 
 
-def motions_of(every: Sequence[Base], each: int) -> Array:
-    """Return what settling as a whole and tilting along x and along y do to bases, (each bases, 3).
+def motions_of(every: Sequence[Base], unknowns: int) -> Array:
+    """Return what settling as a whole and tilting along x and along y do to bases, (unknowns bases, 3).
 
     Of each base settlement and both slopes, or the settlement alone. Tilts are about the middle of all bases.
     """
     places = np.array([base.place for base in every])
     x, y = (places - places.mean(axis=0)).T
-    found = np.zeros((len(every), 3, 3))
-    found[:, 0] = np.column_stack([np.ones_like(x), x, y])
-    found[:, 1, 1] = found[:, 2, 2] = 1.0
-    motions: Array = found[:, :each].reshape(-1, 3)
+    of_bases = np.zeros((len(every), 3, 3))
+    of_bases[:, 0] = np.column_stack([np.ones_like(x), x, y])
+    of_bases[:, 1, 1] = of_bases[:, 2, 2] = 1.0
+    motions: Array = of_bases[:, :unknowns].reshape(-1, 3)
     return motions
 
 

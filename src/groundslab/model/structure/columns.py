@@ -42,9 +42,9 @@ def check_footprint(width_x: float | None, width_y: float | None, diameter: floa
 def check_angle(width_x: float | None, diameter: float | None, angle: float) -> Iterator[RelativeIssue]:
     """Find an angle of what has no sides."""
     if angle and width_x is None:
-        found = "an angle of a circle" if diameter is not None else "an angle without widths"
+        idle_angle = "an angle of a circle" if diameter is not None else "an angle without widths"
         repairs = (remove(("angle",)),)
-        yield RelativeIssue(("angle",), found, "width_x and width_y, or no angle", repairs=repairs)
+        yield RelativeIssue(("angle",), idle_angle, "width_x and width_y, or no angle", repairs=repairs)
 
 
 def footprint(

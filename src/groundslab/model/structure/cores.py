@@ -118,8 +118,8 @@ def section_of(core: Core, walls: tuple[Wall, ...], plates: tuple[AnyPlate, ...]
     a, b = (np.array([getattr(part.edge, end) for part in parts]) for end in ("start", "end"))
     center = t @ (a + b) / 2 / t.sum()
     middle, way = (a + b) / 2 - center, b - a
-    own, of_middles = (np.einsum("e,ei,ej->ij", area, arm, arm) for area, arm in ((t / 12, way), (t, middle)))
-    (xx, xy), (_, yy) = (own + of_middles).tolist()
+    of_parts, of_middles = (np.einsum("e,ei,ej->ij", area, arm, arm) for area, arm in ((t / 12, way), (t, middle)))
+    (xx, xy), (_, yy) = (of_parts + of_middles).tolist()
     return CoreSection(parts, float(t.sum()), (float(center[0]), float(center[1])), ((xx, xy), (xy, yy)))
 
 
@@ -153,8 +153,8 @@ def check_cores(
                 yield RelativeIssue(place, describe(name), expected, suggestion(name, names),
                                     use_nearest(place, name, names))  # fmt: skip
             elif name in owners:
-                found = f"wall {quote(name)}, which is in core {quote(owners[name])}"
-                yield RelativeIssue(place, found, "a wall that is once in one core", "make one core of both")
+                owned_wall = f"wall {quote(name)}, which is in core {quote(owners[name])}"
+                yield RelativeIssue(place, owned_wall, "a wall that is once in one core", "make one core of both")
             elif placed[name].curved:
                 hint = "draw its arcs by straight pieces"
                 yield RelativeIssue(place, f"wall {quote(name)}, which has arcs", "a wall of straight pieces", hint)
@@ -176,5 +176,5 @@ def _check_apart(
         if shared > t:
             number = next(number for number, core in enumerate(cores) if core.name == owners[other])
             place = ("cores", number, "walls", cores[number].walls.index(other))
-            found = f"wall {quote(other)}, of which {shared:.3g} m lie on wall {quote(first)}"
-            yield RelativeIssue(place, found, "one wall at each place", "its area would count twice")
+            overlap = f"wall {quote(other)}, of which {shared:.3g} m lie on wall {quote(first)}"
+            yield RelativeIssue(place, overlap, "one wall at each place", "its area would count twice")

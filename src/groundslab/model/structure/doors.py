@@ -44,8 +44,8 @@ def carried_over_doors(wall: Wall, values: tuple[float, float]) -> tuple[LoadedP
     def given(way: float) -> float:
         return values[0] + (values[1] - values[0]) * way / length
 
-    added = [each for door, lengths in zip(wall.doors, _bearings(wall), strict=True)
-             for each in _reactions(door, lengths, (given(door.start), given(door.end)))]  # fmt: skip
+    added = [reaction for door, lengths in zip(wall.doors, _bearings(wall), strict=True)
+             for reaction in _reactions(door, lengths, (given(door.start), given(door.end)))]  # fmt: skip
     cuts = [0.0, length, *(way for door in wall.doors for way in (door.start, door.end))]
     cuts += [way for low, high, _ in added for way in (low, high)]
     parts = []
@@ -78,15 +78,15 @@ def _reactions(
 
 def _bearings(wall: Wall) -> tuple[tuple[float, float], ...]:
     """Return over which lengths [m] before and after each door its load is spread."""
-    found = []
+    lengths = []
     bounds = [0.0, *(way for door in wall.doors for way in (door.start, door.end)), wall.length]
     for number, door in enumerate(wall.doors):
         low, high = _straight_part(wall, door)
         before = door.start - max(low, bounds[2 * number])
         after = min(high, bounds[2 * number + 3]) - door.end
         reach = SPREAD * door.height
-        found.append((min(reach, before), min(reach, after)))
-    return tuple(found)
+        lengths.append((min(reach, before), min(reach, after)))
+    return tuple(lengths)
 
 
 def _straight_part(wall: Wall, door: WallOpening) -> tuple[float, float]:
@@ -126,21 +126,21 @@ def check_doors(wall: Wall, near: float) -> Iterator[RelativeIssue]:
     for before, number in pairwise(numbers):
         gap = wall.openings[number].start - wall.openings[before].end
         if gap < near:
-            found = f"{gap:.3g} m of wall between it and the opening before"
-            yield RelativeIssue(("openings", number), found, f"at least {near:.3g} m", "give both as one opening")
+            short_wall = f"{gap:.3g} m of wall between it and the opening before"
+            yield RelativeIssue(("openings", number), short_wall, f"at least {near:.3g} m", "give both as one opening")
             return
     for position, door in enumerate(wall.openings):
         low, high = _straight_part(wall, door)
         if door.start - low >= near and high - door.end >= near:
             continue
-        found, hint = (
+        misplaced, hint = (
             "an opening in an arc or at a corner",
             "draw arcs by straight pieces, and begin a closed wall elsewhere",
         )
         if not wall.closed and (door.start < near or door.end > wall.length - near):
-            found, hint = (
+            misplaced, hint = (
                 "an opening at the end of the wall",
                 "let the wall end there, and give what a lintel beyond it brings as a load",
             )
         expected = f"one with at least {near:.3g} m of straight wall on both sides, which bear its lintel"
-        yield RelativeIssue(("openings", position), found, expected, hint)
+        yield RelativeIssue(("openings", position), misplaced, expected, hint)

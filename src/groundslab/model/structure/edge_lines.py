@@ -73,19 +73,21 @@ def _find_edge(ring: Ring, edge: int | str) -> int:
     if isinstance(edge, int):
         if edge <= len(edges):
             return edge - 1
-        found, expected = f"edge {edge} of an outline with {len(edges)}", f"a number from 1 to {len(edges)}"
-        raise FieldError(RelativeIssue(("edge",), found, expected, _COUNTED, _ALL))
+        missing_edge, expected = f"edge {edge} of an outline with {len(edges)}", f"a number from 1 to {len(edges)}"
+        raise FieldError(RelativeIssue(("edge",), missing_edge, expected, _COUNTED, _ALL))
     side = next(number for number, word in enumerate(SIDES) if word == edge)
     axis, limit = side // 2, ring.bounds[side]
     on_side = [
-        number for number, each in enumerate(edges) if each.straight and each.start[axis] == each.end[axis] == limit
+        number
+        for number, segment in enumerate(edges)
+        if segment.straight and segment.start[axis] == segment.end[axis] == limit
     ]
     if len(on_side) == 1:
         return on_side[0]
     count = "no straight edge" if not on_side else f"{len(on_side)} edges"
-    found = f"{quote(edge)} of an outline with {count} on that side"
+    unclear_side = f"{quote(edge)} of an outline with {count} on that side"
     expected = f'"all", or the number of an edge from 1 to {len(edges)}'
-    raise FieldError(RelativeIssue(("edge",), found, expected, _COUNTED, _ALL))
+    raise FieldError(RelativeIssue(("edge",), unclear_side, expected, _COUNTED, _ALL))
 
 
 def _along_one(ring: Ring, position: int, thickness: float) -> EdgeLine:

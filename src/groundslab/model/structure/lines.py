@@ -65,8 +65,8 @@ def check_line_length(points: Points | None, bulges: tuple[float, ...]) -> Itera
         yield RelativeIssue(("bulges",), f"{len(bulges)} bulges", expected)
     for position, (a, b) in enumerate(itertools.pairwise(points), start=1):
         if math.dist(a, b) < NO_LENGTH:
-            found = f"({b[0]!r}, {b[1]!r}) m twice"
-            yield RelativeIssue(("points", position), found, "another place than the one before")
+            repeated = f"({b[0]!r}, {b[1]!r}) m twice"
+            yield RelativeIssue(("points", position), repeated, "another place than the one before")
 
 
 def flat_line(edges: tuple[Segment, ...], chord: float) -> LineString:

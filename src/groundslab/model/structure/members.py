@@ -132,9 +132,11 @@ def check_members(
     for issue in find_issues(plan_of_plate(plate, supports, plates=plates, lines=lines)):
         # the beam at which the issue is, or else the first one that it names
         for text in (issue.location, issue.found):
-            if own := [number for count, number in beams_by_line.items() if f"plate.lines[{count}]" in text]:
-                found = _with_names(issue.found, {count: where[number] for count, number in beams_by_line.items()})
-                yield _at_place(RelativeIssue(("beams", own[0], "points"), found, issue.expected, issue.hint), where)
+            if numbers := [number for count, number in beams_by_line.items() if f"plate.lines[{count}]" in text]:
+                worded = _with_names(issue.found, {count: where[number] for count, number in beams_by_line.items()})
+                yield _at_place(
+                    RelativeIssue(("beams", numbers[0], "points"), worded, issue.expected, issue.hint), where
+                )
                 break
     yield from (_at_place(issue, where) for issue in _check_curves(every, beams))
 
@@ -151,8 +153,8 @@ def _check_stiff_wall(number: int, wall: Wall, near: float) -> Iterator[Relative
     shortest = min((end - start for start, end in pairwise(_cuts(wall))), default=near)
     if shortest < near:
         hint = "let openings begin or end together, or leave a short one out"
-        found = f"openings that leave a part of {shortest:.3g} m"
-        yield RelativeIssue((*place, "openings"), found, f"parts of at least {near:.3g} m", hint)
+        short_part = f"openings that leave a part of {shortest:.3g} m"
+        yield RelativeIssue((*place, "openings"), short_part, f"parts of at least {near:.3g} m", hint)
 
 
 def _check_openings_on_plate(
@@ -162,19 +164,19 @@ def _check_openings_on_plate(
     spans = spans_of(as_beam(wall), *plates)
     for position, opening in enumerate(wall.openings):
         if any(start - near < way < end + near for start, end in spans for way in (opening.start, opening.end)):
-            found = "an opening that begins or ends over an opening of the plate"
+            over_opening = "an opening that begins or ends over an opening of the plate"
             expected = "one that does where the wall stands on the plate, or a wall without it"
-            yield RelativeIssue(("walls", number, "openings", position), found, expected)
+            yield RelativeIssue(("walls", number, "openings", position), over_opening, expected)
 
 
-def _with_names(found: str, names: dict[int, tuple[str, int]]) -> str:
+def _with_names(text: str, names: dict[int, tuple[str, int]]) -> str:
     """Return what was found with the names of the case for lines of the plan, by their numbers from 1."""
 
     def name(match: re.Match[str]) -> str:
         kind, number = names.get(int(match[1]), ("supports", int(match[1]) - 1))
         return f"{kind}[{number + 1}]"
 
-    return re.sub(r"plate\.lines\[(\d+)\]", name, found)
+    return re.sub(r"plate\.lines\[(\d+)\]", name, text)
 
 
 def _check_curves(plates: tuple[AnyPlate, ...], beams: tuple[Beam, ...]) -> Iterator[RelativeIssue]:
@@ -183,16 +185,16 @@ def _check_curves(plates: tuple[AnyPlate, ...], beams: tuple[Beam, ...]) -> Iter
     for number, beam in enumerate(beams):
         if beam.shape is None or beam.path is not None or (ring := beam.shape.ring()) in edges:
             continue
-        chord = FLAT * max(max(each.sides) for each in edges)
+        chord = FLAT * max(max(edge.sides) for edge in edges)
         hull = ring.polygon(chord).exterior
-        near = TOO_CLOSE * max(max(each.sides) for each in edges)
+        near = TOO_CLOSE * max(max(edge.sides) for edge in edges)
         if any(hull.distance(edge.polygon(chord).exterior) < near for edge in edges):
             expected = f"a curve at least {near:.3g} m from the plate's edges, or all along one"
-            found, hint = (
+            touching, hint = (
                 "a curve with arcs that touches an edge of the plate",
                 "give arcs by points and bulges instead",
             )
-            yield RelativeIssue(("beams", number, "shape"), found, expected, hint)
+            yield RelativeIssue(("beams", number, "shape"), touching, expected, hint)
 
 
 def _at_place(issue: RelativeIssue, where: list[tuple[str, int]]) -> RelativeIssue:
@@ -218,9 +220,9 @@ def _check_on_plates(region: PlateRegion, beams: tuple[Beam, ...]) -> Iterator[R
         over = axis.length - unary_union(areas).intersection(axis).length - spans
         if over <= max(region.near, 2 * chord):
             continue
-        found = f"{over:.3g} m of {axis.length:.3g} m that do not lie on the plate"
+        off_plate = f"{over:.3g} m of {axis.length:.3g} m that do not lie on the plate"
         hint = "over an opening it is straight from edge to edge, and in one part" if spans else "shorten or divide it"
-        yield RelativeIssue(place, found, "a beam that begins and ends on the plate", hint)
+        yield RelativeIssue(place, off_plate, "a beam that begins and ends on the plate", hint)
 
 
 def _check_hinges(region: PlateRegion, beams: tuple[Beam, ...]) -> Iterator[RelativeIssue]:
@@ -234,9 +236,9 @@ def _check_hinges(region: PlateRegion, beams: tuple[Beam, ...]) -> Iterator[Rela
     for number, beam in enumerate(beams):
         for end, joined in zip(beam.ends, beam.joined, strict=False):
             if joined == "hinged" and edge.distance(Point(end)) > max(region.near, region.rounding):
-                found = "a hinged end inside the plate, which goes on beside the beam and takes its moment"
+                hinge = "a hinged end inside the plate, which goes on beside the beam and takes its moment"
                 hint = "end the beam at an edge, or leave joined out"
-                yield RelativeIssue(("beams", number, "joined"), found, "hinged ends on edges of the plate alone", hint)
+                yield RelativeIssue(("beams", number, "joined"), hinge, "hinged ends on edges of the plate alone", hint)
 
 
 def _check_joints(
@@ -254,8 +256,8 @@ def _check_joints(
             near = TOO_CLOSE * line.length
             shared = line.buffer(near, cap_style="flat").intersection(beam.to_shapely(near))
             if max(part.length for part in get_parts([shared, Point()])) > 2 * near / FLATTEST:
-                found = f"a beam along the joint {quote(joint.title)}"
-                yield RelativeIssue(("beams", number), found, "a beam on one of the plates", "move it off the joint")
+                along = f"a beam along the joint {quote(joint.title)}"
+                yield RelativeIssue(("beams", number), along, "a beam on one of the plates", "move it off the joint")
 
 
 def _check_apart(beams: tuple[Beam, ...], near: float) -> Iterator[RelativeIssue]:
@@ -264,13 +266,13 @@ def _check_apart(beams: tuple[Beam, ...], near: float) -> Iterator[RelativeIssue
     for number, axis in enumerate(axes):
         twice = axis.length - axis.union(axis).length
         if twice > 4 * near:
-            found = f"a beam that runs back along {twice:.3g} m of itself"
-            yield RelativeIssue(("beams", number), found, "one beam at each place", "leave that part out")
+            along_itself = f"a beam that runs back along {twice:.3g} m of itself"
+            yield RelativeIssue(("beams", number), along_itself, "one beam at each place", "leave that part out")
     for (first, a), (other, b) in itertools.combinations(enumerate(axes), 2):
         if a.distance(b) > near:
             continue
         shared = b.intersection(a.buffer(near, cap_style="flat")).length
         if shared > 4 * near and shared > near / FLATTEST:
-            found = f"a beam along {shared:.3g} m of {quote(beams[first].name)}"
+            along_other = f"a beam along {shared:.3g} m of {quote(beams[first].name)}"
             hint = "one beam with a section that stands for both"
-            yield RelativeIssue(("beams", other), found, "one beam at each place", hint)
+            yield RelativeIssue(("beams", other), along_other, "one beam at each place", hint)

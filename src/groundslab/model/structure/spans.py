@@ -75,9 +75,9 @@ def check_spans(region: PlateRegion, beams: tuple[Beam, ...]) -> Iterator[Relati
                 hint = "divide the rib, with a rectangle over the opening that reaches onto the plate"
                 expected = "a rectangle, a section by its properties or a wall there"
                 yield RelativeIssue(place, f"a rib of which {said} have no flange", expected, hint)
-            elif not any(all(area.distance(each) <= region.near for each in ends) for area in region.areas):
-                found = f"{end - start:.3g} m off the plates, from one to another"
-                yield RelativeIssue(place, found, "plates that touch where a beam goes on from one to the next")
+            elif not any(all(area.distance(tip) <= region.near for tip in ends) for area in region.areas):
+                off_plates = f"{end - start:.3g} m off the plates, from one to another"
+                yield RelativeIssue(place, off_plates, "plates that touch where a beam goes on from one to the next")
             elif end - start < near:
                 yield RelativeIssue(place, said, f"at least {near:.3g} m", "leave so narrow an opening out")
             else:

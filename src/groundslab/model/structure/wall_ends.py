@@ -188,7 +188,7 @@ def _groups(tips: list[tuple[int, WallLeg]]) -> list[list[int]]:
         return []
     places = points([tip.place for _, tip in tips])
     thickest = max(tip.thickness for _, tip in tips)
-    one, other = STRtree(places).query(places, predicate="dwithin", distance=thickest)
+    numbers, others = STRtree(places).query(places, predicate="dwithin", distance=thickest)
     first = list(range(len(tips)))
 
     def root(i: int) -> int:
@@ -196,7 +196,7 @@ def _groups(tips: list[tuple[int, WallLeg]]) -> list[list[int]]:
             i = first[i]
         return i
 
-    for i, j in zip(one.tolist(), other.tolist(), strict=True):
+    for i, j in zip(numbers.tolist(), others.tolist(), strict=True):
         (run, a), (other_run, b) = tips[i], tips[j]
         apart = math.dist(a.place, b.place)
         if i < j and apart <= (1 + FLAT) * math.hypot(a.thickness, b.thickness) / 2 and (run != other_run or not apart):
@@ -227,7 +227,7 @@ def _ends(tips: list[tuple[int, WallLeg]], runs: list[_Run], boxes: Array) -> It
     if len(kept) == 1 and not angles:
         yield WallEnd("end", tuple(kept))
         return
-    around = sorted([(leg.angle % (2 * math.pi), leg) for leg in kept], key=lambda one: one[0])
+    around = sorted([(leg.angle % (2 * math.pi), leg) for leg in kept], key=lambda pair: pair[0])
     for (angle, leg), (after, next_leg) in zip(around, around[1:] + around[:1], strict=True):
         gap = (after - angle) % (2 * math.pi)
         crossed = any(0 < (between - angle) % (2 * math.pi) < gap for between in angles)

@@ -58,8 +58,8 @@ def _check_place(
         return
     keys = {"points": points, "bulges": bulges or None, "shape": shape}
     for name in (name for name, what in keys.items() if what is not None):
-        found, hint = f"{name} together with an edge", "the plate's edge says where the wall stands"
-        yield RelativeIssue((name,), found, "one of them", hint, (remove((name,)),))
+        key_with_edge, hint = f"{name} together with an edge", "the plate's edge says where the wall stands"
+        yield RelativeIssue((name,), key_with_edge, "one of them", hint, (remove((name,)),))
 
 
 def _check_ends(start: float, end: float) -> Iterator[RelativeIssue]:

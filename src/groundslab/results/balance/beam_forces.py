@@ -62,17 +62,17 @@ def beam_results(model: Model, solution: Solution) -> tuple[BeamResult, ...]:
     beams = []
     for number, beam in enumerate(model.members):
         here = stations.beam == number
-        each = (values[here] for values in (stations.place, stations.way, w, M, whole, T, N, e, V))
-        beams.append(BeamResult(beam.name, *each))
+        arrays = (values[here] for values in (stations.place, stations.way, w, M, whole, T, N, e, V))
+        beams.append(BeamResult(beam.name, *arrays))
     return tuple(beams)
 
 
-def _shear_of_section(stations: Stations, b: Beams, own: Array) -> Array:
+def _shear_of_section(stations: Stations, b: Beams, forces: Array) -> Array:
     """Return dM_0/ds - T alpha,s (k,) [N] at stations, of M, T, V and N at the Gauss points of pieces (b, 2, 4).
 
     M_0 t + T n is what a beam carries along its direction t, n to the left of it; both turn along an arc.
     """
-    M_0, T = own[..., 0] + b.eccentricity[:, None] * own[..., 3], own[..., 1]
+    M_0, T = forces[..., 0] + b.eccentricity[:, None] * forces[..., 3], forces[..., 1]
     (x, y), (x_1, y_1) = b.along[:, 0].T, b.along[:, 1].T
     turn = np.arctan2(x * y_1 - y * x_1, x * x_1 + y * y_1) / b.length
     slope, bent = M_0.ravel()[stations.points], (turn[:, None] * T).ravel()[stations.points]
@@ -152,7 +152,7 @@ def _stations(model: Model, problem: Problem) -> Stations:
         before = begin + np.clip(place - 1, 0, max(n - 2, 0))
         after = np.minimum(before + 1, end - 1)
         parts.append((b.number[piece], node, way, piece, np.column_stack([before, before, after, after]), xy))
-    beam, node, way, piece, pieces, places = (np.concatenate(each) for each in zip(*parts, strict=True))
+    beam, node, way, piece, pieces, places = (np.concatenate(arrays) for arrays in zip(*parts, strict=True))
     at = (b.start + b.length / 2)[:, None] + b.length[:, None] / 2 * POINTS
     points = 2 * pieces + [0, 1, 0, 1]
     x = at.ravel()[points] - way[:, None]
@@ -180,7 +180,7 @@ def _goes_on(model: Model, problem: Problem) -> Flags:
 def _meeting(model: Model, problem: Problem) -> Flags:
     """Return at which nodes (n,) a beam meets another one, a force, a support, the end of a line load, or a border."""
     b, n = problem.beams, len(problem.mesh.nodes)
-    points = [*kinks_of_loads(model), *(each.points[0] for each in model.supports if not each.edges)]
+    points = [*kinks_of_loads(model), *(support.points[0] for support in model.supports if not support.edges)]
     meets = nearest_distance(problem.mesh.nodes, np.reshape(points, (-1, 2)), near := NEAR * problem.length) < near
     # more ends of pieces than those of one that goes on: another beam, or the same one once more
     meets |= np.bincount(b.sides[:, :2].ravel(), minlength=n) > 2

@@ -59,9 +59,9 @@ def _struts(v: float, z: float, f_ck: float, f_yk: float, annex: str = "recommen
     return shear.required_links(np.array([v]), d, _concrete(f_ck, annex), Steel(f_yk), cover=0.0)
 
 
-def _links(**given: Any) -> float:
+def _links(**arguments: Any) -> float:
     """Return links per area of the plan [%], see _struts."""
-    return float(_struts(**given).area[0]) * 100
+    return float(_struts(**arguments).area[0]) * 100
 
 
 def _crack(what: str) -> Callable[..., float]:
@@ -85,9 +85,9 @@ def _anchorage(diameter: float, f_ck: float, c_d: float, *, good: bool = True, l
     return find(Concrete(f_ck), Steel(500e6), diameter, c_d, good) * 1e3
 
 
-def _tens_up(**given: Any) -> float:
+def _tens_up(**arguments: Any) -> float:
     """Return l_bd or l_0 [mm] rounded up to 10 mm, see _anchorage."""
-    return math.ceil(_anchorage(**given) / 10 - 1e-9) * 10.0
+    return math.ceil(_anchorage(**arguments) / 10 - 1e-9) * 10.0
 
 
 def _development(diameter: float, f_c: float, f_y: float, below: float, *, splice: bool = False) -> float:
@@ -216,7 +216,7 @@ VALUES: dict[str, tuple[str | None, Callable[..., float]]] = {
     "v_Ed / v_Rd,c": (None, _punching_used),
     "v_Rd,max": ("pressure", lambda f_ck, annex: punching.max_resistance(_concrete(f_ck, annex)) or 0.0),
     "strut": ("pressure", lambda f_ck, annex: _concrete(f_ck, annex).strut),
-    "cot theta": (None, lambda **given: float(_struts(**given).cot_theta[0])),
+    "cot theta": (None, lambda **arguments: float(_struts(**arguments).cot_theta[0])),
     "rho by ACI 318": (None, _aci_ratio),
     "A_s by ACI 318": (None, _aci_area),
     "beta_1": (None, lambda f_c: AciConcrete(f_c).beta_1),

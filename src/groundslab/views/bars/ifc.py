@@ -46,8 +46,8 @@ def to_bytes(model: Model, placed: Sequence[PlacedBar]) -> bytes:
     """Return bars as the content of an IFC file; the same bars give the same bytes."""
     writer = _Writer(model)
     by_mark: dict[str, list[Any]] = {}
-    for number, one in enumerate(placed):
-        by_mark.setdefault(one.bar.mark.partition("-")[0], []).append(writer.add_bar(one, number))
+    for number, placed_bar in enumerate(placed):
+        by_mark.setdefault(placed_bar.bar.mark.partition("-")[0], []).append(writer.add_bar(placed_bar, number))
     writer.add_to_storey([bar for bars in by_mark.values() for bar in bars])
     for mark, bars in by_mark.items():
         writer.add_group(mark, bars)
@@ -100,8 +100,8 @@ class _Writer:
 
     def identifier(self, name: str) -> str:
         """Return the identifier of something by its name."""
-        made: str = self.compress(uuid.uuid5(NAMESPACE, name).hex)
-        return made
+        guid: str = self.compress(uuid.uuid5(NAMESPACE, name).hex)
+        return guid
 
     def placement(self, place: Sequence[float] = (0.0, 0.0, 0.0)) -> Any:
         """Return a placement in the world [m]."""

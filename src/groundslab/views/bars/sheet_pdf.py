@@ -53,8 +53,8 @@ def to_pdf(title: str, sheets: Sequence[Sheet], language: Language, say: Transla
     }  # fmt: skip
     files: Any = {"main.typ": TEMPLATE.encode(), "about.json": json.dumps(about).encode()}
     files |= {f"{number}.svg": to_svg(sheet).encode() for number, sheet in enumerate(sheets)}
-    made: bytes = typst.compile(files, font_paths=report_fonts(), pdf_standards=list(STANDARDS))
-    return made
+    pdf: bytes = typst.compile(files, font_paths=report_fonts(), pdf_standards=list(STANDARDS))
+    return pdf
 
 
 def is_ours(path: Path) -> bool:

@@ -115,7 +115,7 @@ def face_bars(model: Model, face: str, h: float, listed: Sequence[Position]) -> 
         yield Text("LABELS", (left + 0.4 * h, top - 1.4 * h), h, name)
     turn = {name: number for number, name in enumerate(dict.fromkeys(bar_set.zone for bar_set in sets))}
     for bar_set in sets:
-        of_set = [one for one in listed if (one.layer, one.zone) == (bar_set.layer, bar_set.zone)]
+        of_set = [bar for bar in listed if (bar.layer, bar.zone) == (bar_set.layer, bar_set.zone)]
         place = PLACES[min(turn[bar_set.zone], 1 + (turn[bar_set.zone] - 1) % (len(PLACES) - 1))]
         yield from _bar_set(bar_set, place, h, label_of(of_set, model.units))
 
@@ -148,13 +148,13 @@ def label_of(of_set: Sequence[Position], units: System) -> str:
     first, last = of_set[0], of_set[-1]
     marks = Name(f"{first.mark}" if first is last else f"{first.mark}-{last.mark}")
     unit, per_meter = unit_in("m", units)
-    shortest, longest = (f"{find(find(one.lengths) for one in of_set) * per_meter:.2f}" for find in (min, max))
+    shortest, longest = (f"{find(find(bar.lengths) for bar in of_set) * per_meter:.2f}" for find in (min, max))
     long = longest if shortest == longest else Message("{low} to {high}", low=shortest, high=longest)
     mesh = Name(f"{first.mesh}: " if first.mesh else "")
     lap: str = ""
     if first.lap is not None and first.shape != U_SHAPE:
         lap = Message(", lap {lap:.2f m}", lap=first.lap).in_units(units)
-    count = sum(len(one.lengths) for one in of_set)
+    count = sum(len(bar.lengths) for bar in of_set)
     u = "U " if first.shape == U_SHAPE else ""
     bars = Name(u + bars_at(first.bars.diameter, first.bars.spacing, units))
     return Message(
@@ -171,8 +171,8 @@ def _edge_bars(model: Model, position: Position, h: float) -> Iterator[Shape]:
     at = np.round(position.places, 3)
     inside = inside_of(model)
     for number, where in enumerate(np.unique(at[:, axis])):
-        there = at[at[:, axis] == where]
-        place = there[np.argsort(there[:, 1 - axis], kind="stable")[len(there) // 2]]
+        on_edge = at[at[:, axis] == where]
+        place = on_edge[np.argsort(on_edge[:, 1 - axis], kind="stable")[len(on_edge) // 2]]
         inward = np.zeros(2)
         inward[axis] = 1.0 if inside(place, axis, 1e-3) else -1.0
         end = place + inward * position.lap

@@ -86,8 +86,8 @@ def _check_entries(path: Path, entries: list[zipfile.ZipInfo]) -> list[Issue]:
         issues.append(Issue(str(path), f"{foreign[0][:80]!r}, which is not a results file", expected, hint))
     for entry in filter(_is_needed, entries):
         if entry.file_size > (most := _most(entry)):
-            found = f"{entry.filename} of {entry.file_size:,} bytes"
-            issues.append(Issue(str(path), found, f"at most {most:,} bytes in it", "nothing was unpacked"))
+            large_entry = f"{entry.filename} of {entry.file_size:,} bytes"
+            issues.append(Issue(str(path), large_entry, f"at most {most:,} bytes in it", "nothing was unpacked"))
     if sum(entry.file_size for entry in entries) > MAX_SIZE:
         issues.append(Issue(str(path), f"more than {MAX_SIZE:,} bytes unpacked", "fewer"))
     return issues

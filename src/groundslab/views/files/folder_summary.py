@@ -88,9 +88,9 @@ def require_unchanged(folder: Path) -> None:
     Every reader asks this before it uses a number. A file that has no checksum there was put there by somebody else.
     """
     summary = read_summary(folder)
-    known = {} if summary is None else summary.checksums
-    there = (path.relative_to(folder).as_posix() for path in sorted(folder.rglob("*")) if path.is_file())
-    changed = [*find_edited(folder), *(name for name in there if manifest.is_path(name) and name not in known)]
+    recorded = {} if summary is None else summary.checksums
+    present = (path.relative_to(folder).as_posix() for path in sorted(folder.rglob("*")) if path.is_file())
+    changed = [*find_edited(folder), *(name for name in present if manifest.is_path(name) and name not in recorded)]
     if changed:
         raise CertificateWithdrawn(str(folder), changed)
 
@@ -105,8 +105,8 @@ def read_document(folder: Path) -> dict[str, Any]:
 
 def write_summary(folder: Path, document: dict[str, Any], written: Iterable[str]) -> None:
     """Write a summary with the checksums of files just written, its own, and those that it has of others."""
-    known = document.pop("checksums", {}) | checksums.checksums_of(folder, written)
-    document["checksums"] = known | {FILE: _own_checksum(document)}
+    recorded = document.pop("checksums", {}) | checksums.checksums_of(folder, written)
+    document["checksums"] = recorded | {FILE: _own_checksum(document)}
     manifest.write_text(folder / FILE, json.dumps(document, indent=2, allow_nan=False) + "\n")
 
 

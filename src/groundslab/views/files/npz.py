@@ -71,8 +71,8 @@ class OtherLayout(InputError):
     def __init__(self, path: Path, layout: int, version: str) -> None:
         newer = layout > FORMAT
         hint = "solve the case.toml of the folder again" + (", or read it with a newer groundslab" if newer else "")
-        found = f"results of groundslab {version[:40]} in layout {layout}"
-        super().__init__([Issue(str(path), found, f"layout {FORMAT}, which groundslab {__version__} reads", hint)])
+        writer = f"results of groundslab {version[:40]} in layout {layout}"
+        super().__init__([Issue(str(path), writer, f"layout {FORMAT}, which groundslab {__version__} reads", hint)])
 
 
 @dataclass(frozen=True, slots=True)
@@ -248,11 +248,11 @@ def _results(arrays: dict[str, Any], alike: CombinationResult | None, path: Path
     """Return the results that the arrays of an archive stand for; raises ValueError if they cannot be results."""
     about = _read_about(str(arrays["about"]), path)
     if alike is not None:
-        known = _arrays("", alike)
+        shared = _arrays("", alike)
         arrays |= {
-            name: known[name]
+            name: shared[name]
             for name in arrays.keys() & {f"{part}.{name}" for part in ("plate", "ground") for name in MESH}
-            if np.array_equal(known[name], arrays[name])
+            if np.array_equal(shared[name], arrays[name])
         }
     results = CombinationResult(
         model=_read_model(str(arrays["model"])),
@@ -337,14 +337,14 @@ def _named_arrays(below: str, named: Sequence[Any]) -> dict[str, Any]:
 
 def _all_named(below: str, about: _About, arrays: dict[str, Any]) -> dict[str, Any]:
     """Return supports, joints, beams and bases from the arrays whose names begin with `below`."""
-    found: dict[str, Any] = {}
+    by_part: dict[str, Any] = {}
     for part, kind in NAMED.items():
         keys = [item.name for item in fields(kind) if item.name != "name"]
-        found[part] = tuple(
+        by_part[part] = tuple(
             kind(name=name, **{key: arrays[f"{below}{part}.{number}.{key}"] for key in keys})
             for number, name in enumerate(getattr(about, part))
         )
-    return found
+    return by_part
 
 
 def _refusal(path: Path, found: str) -> InputError:

@@ -214,11 +214,11 @@ def load_results(folder: str | Path) -> Results:
     if summary is None or not summary.files:
         raise _not_ours(path, "no summary.json that names its files")
     try:
-        found = _one(path) if summary.combinations is None else _several(path, summary.combinations)
+        results = _one(path) if summary.combinations is None else _several(path, summary.combinations)
     except (KeyError, ValueError) as error:
         raise _not_ours(path, f"a summary.json with something else ({type(error).__name__}: {error})") from error
     require_unchanged(path)
-    return found
+    return results
 
 
 def _one(path: Path) -> Results:
@@ -280,8 +280,8 @@ def _refused(why: RefusedCombination, results: CombinationResult | None) -> Grou
         return NotCertified(results)
     if why.error == "NotConverged":
         return NotConverged(why.what, list(why.history), {})
-    known = ("IllConditioned", "NeutralEquilibrium", "NoEquilibrium", "SingularMatrix")
-    kind: type[GroundslabError] = getattr(errors, why.error if why.error in known else "GroundslabError")
+    error_names = ("IllConditioned", "NeutralEquilibrium", "NoEquilibrium", "SingularMatrix")
+    kind: type[GroundslabError] = getattr(errors, why.error if why.error in error_names else "GroundslabError")
     return kind(why.reason)
 
 
@@ -338,8 +338,8 @@ def _fill(combined: Results, folder: Path, *, plot: bool) -> None:
         for name, writer in writers.items():
             if not name.endswith(PACKED):
                 writer(folder / name)
-        for each in packed:
-            each.result()
+        for future in packed:
+            future.result()
     write_summary(folder, document, writers)
 
 
@@ -374,6 +374,6 @@ def _resolve(folder: str | Path) -> Path:
 
 def _unwritable(target: Path, error: OSError) -> InputError:
     """Return the error for a folder that cannot be written; earlier results there are untouched."""
-    found = error.strerror or str(error)
+    reason = error.strerror or str(error)
     hint = "close programs that use the folder, free space, or choose another; earlier results are unchanged"
-    return InputError([Issue(str(target), found, "a folder that can be written", hint)])
+    return InputError([Issue(str(target), reason, "a folder that can be written", hint)])

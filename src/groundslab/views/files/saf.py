@@ -49,11 +49,11 @@ def write_saf(case: Model | CombinationResult | Results, path: str | Path) -> tu
     if isinstance(case, Model):
         return write_model(case, path)
     results = results_of(case)
-    forces = [along for each in results.values() for along in _edge_forces(each)]
+    forces = [along for solved in results.values() for along in _edge_forces(solved)]
     pairs = [
-        (each.constants.k0[0], each.constants.k1[0])
-        for each in results.results.values()
-        if results.model.ground.kind == "vlasov" and len(each.constants.k0) == 1
+        (solved.constants.k0[0], solved.constants.k1[0])
+        for solved in results.results.values()
+        if results.model.ground.kind == "vlasov" and len(solved.constants.k0) == 1
     ]
     if not pairs:
         return (*write_model(results.model, path, None, forces), *_no_reactions(results))

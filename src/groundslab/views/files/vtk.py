@@ -163,11 +163,11 @@ def write_envelope(combined: Results, path: Path) -> None:
     Grid(plate.nodes, plate.elements, fields, {}).write(path)
 
 
-def match(some: Array, among: Array) -> Integers:
-    """Return for each place in ``some`` (k, 2) its index in ``among`` (n, 2), rounding aside."""
-    if np.array_equal(some, among):
-        return np.arange(len(some))
-    nearest, distance = nearest_of_same(some, among)
+def match(places: Array, among: Array) -> Integers:
+    """Return for each of some places (k, 2) its index in ``among`` (n, 2), rounding aside."""
+    if np.array_equal(places, among):
+        return np.arange(len(places))
+    nearest, distance = nearest_of_same(places, among)
     if distance.max(initial=0.0) > 1e-9 * np.ptp(among, axis=0).max():
         raise GroundslabError("the plate has nodes that the ground below it lacks")
     return nearest

@@ -85,8 +85,8 @@ def load_comparison(folder: str | Path) -> GroundComparison | None:
             raise ValueError(f"layout {document['format']}, while this version reads {FORMAT}")
         return _adapter().validate_python(document["comparison"] | {"model": casefile.loads(document["model"])})
     except (OSError, ValueError, KeyError, TypeError, RecursionError, InputError) as error:
-        found = f"something else ({' '.join(str(error).split())[:200]})"
-        raise InputError([Issue(str(path), found, "a comparison of grounds that groundslab wrote")]) from error
+        damage = f"something else ({' '.join(str(error).split())[:200]})"
+        raise InputError([Issue(str(path), damage, "a comparison of grounds that groundslab wrote")]) from error
 
 
 def json_text(comparison: GroundComparison) -> str:

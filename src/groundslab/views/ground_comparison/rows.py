@@ -65,10 +65,10 @@ def figure_rows(comparison: GroundComparison) -> list[ComparisonRow]:
     for name, figure in FIGURES.items():
         shown, scale = figure.unit
         unit, factor = unit_in(shown, comparison.model.units)
-        known = tuple(ground.figures[name] * scale * factor for ground in comparison.grounds)
+        of_grounds = tuple(ground.figures[name] * scale * factor for ground in comparison.grounds)
         others = [comparison.difference(ground.name, name) for ground in comparison.grounds[1:]]
         differences = (None, *(None if other is None else 100 * other for other in others))
-        rows.append(ComparisonRow(name, figure.label, unit, known, differences))
+        rows.append(ComparisonRow(name, figure.label, unit, of_grounds, differences))
     for field in COMPARED_FIELDS:
         label = Message("rms difference of {symbol}", symbol=Name(PLATE_FIELDS[field].symbol))
         values: tuple[float | None, ...] = (None, *(100 * ground.rms[field] for ground in comparison.grounds[1:]))

@@ -69,7 +69,7 @@ def curves_along(request: PlotRequest) -> list[BeamCurves]:
     """Return the curves of each beam; of more combinations than can be told apart the largest and the smallest."""
     names = tuple(Name(combination.name) for combination in request.combinations)
     band = bool(request.envelope) or len(names) > len(style.CYCLE)
-    found, units = [], request.combined.model.units
+    curves, units = [], request.combined.model.units
     for beams in zip(*(member_forces(combination.results) for combination in request.combinations), strict=True):
         values = {
             name: np.stack([getattr(beam, name) for beam in beams]) * in_system(UNITS[unit], units).scale
@@ -82,8 +82,8 @@ def curves_along(request: PlotRequest) -> list[BeamCurves]:
         if band:
             values = {name: np.stack([rows.max(axis=0), rows.min(axis=0)]) for name, rows in values.items()}
         words = (Message("largest of {count} combinations", count=len(names)), "smallest") if band else names
-        found.append(BeamCurves(Name(beams[0].name), beams[0].way, values, words, band))
-    return found
+        curves.append(BeamCurves(Name(beams[0].name), beams[0].way, values, words, band))
+    return curves
 
 
 def draw_curves(request: PlotRequest, curves: Sequence[BeamCurves], *, titled: bool = True) -> Figure:
@@ -104,7 +104,7 @@ def draw_below(
     legend: dict[str, Any] = {}
     for beam in curves:
         top += ABOVE
-        drawn = [each for each in shown if each[0] in beam.values]
+        drawn = [quantity for quantity in shown if quantity[0] in beam.values]
         for row, (what, symbol, unit, downwards) in enumerate(drawn):
             label = f"{symbol} [{unit_in(unit, units)[0]}]"
             axes = page.add_axes(LEFT, top, width, HIGH)

@@ -86,8 +86,8 @@ def write_file(path: str | Path, target: Path, content: bytes) -> None:
         atomic.write(target, content)
     except OSError as error:
         hint = "free some space or choose another place; the earlier file is unchanged"
-        found = error.strerror or str(error)
-        raise InputError([Issue(str(path), found, "a file that can be written", hint)]) from error
+        reason = error.strerror or str(error)
+        raise InputError([Issue(str(path), reason, "a file that can be written", hint)]) from error
 
 
 def to_inline_svg(

@@ -70,10 +70,10 @@ def subtract(request: PlotRequest, minus: CombinationResult | Results) -> PlotRe
     if issues:
         raise InputError(issues)
     names = [combination.name for combination in request.combinations]
-    found, others = find_subtracted(names, minus)
-    subtracted = tuple(_plotted(found[name]) for name in names if name in found)
+    matches, others = find_subtracted(names, minus)
+    subtracted = tuple(_plotted(matches[name]) for name in names if name in matches)
     hint = "name one combination of the other results, or one that both have"
-    missing = [name for name in names if name not in found]
+    missing = [name for name in names if name not in matches]
     issues = [Issue("minus", f"no results of {quote(name)}", one_of(others), hint) for name in missing]
     if issues:
         raise InputError(issues)
@@ -182,8 +182,8 @@ def _envelope_panels(quantity: PlotQuantity, combinations: Sequence[PlottedCombi
         ("Smallest", extremes.least, extremes.least_by, quantity.field.sign == "not negative"),
     ):
         if not nothing:
-            one, many = (f"{word} of the {{count}} {{state}} combination{s}" for s in ("", "s"))
-            source = counted(len(combinations), one, many, state=state)
+            singular, plural = (f"{word} of the {{count}} {{state}} combination{s}" for s in ("", "s"))
+            source = counted(len(combinations), singular, plural, state=state)
             force = line_force if word == "Largest" else None
             governs = (extremes.names, by)
             yield Panel(quantity, source, values, plate.nodes, plate.elements, takes_part, force, governs=governs)
@@ -213,7 +213,7 @@ def shared_scales(panels: Sequence[Panel]) -> dict[str, ColorScale]:
         signed = difference or alike[0].quantity.field.sign == "any"
         values = [panel.values for panel in alike]
         # the scale of a difference has zero in its middle
-        values += [-each for each in values] if difference else []
+        values += [-nodal for nodal in values] if difference else []
         scales[name] = make_scale(values, signed=signed, limit=limit)
     return scales
 

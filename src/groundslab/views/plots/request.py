@@ -193,9 +193,9 @@ def parse_request(
     chosen_kind = kind or ("lines" if lines else "plan")
     names = (combination,) if isinstance(combination, str) else tuple(dict.fromkeys(combination or ()))
     issues = _find_conflicts(chosen_kind, fields, names, envelope, bool(lines), mesh)
-    known = [combination.name for combination in combined.combinations]
-    unknown = [name for name in names if name not in known]
-    issues += [Issue("combination", describe(name), one_of(known), suggestion(name, known)) for name in unknown]
+    available = [combination.name for combination in combined.combinations]
+    unknown = [name for name in names if name not in available]
+    issues += [Issue("combination", describe(name), one_of(available), suggestion(name, available)) for name in unknown]
     quantities: tuple[PlotQuantity, ...] = ()
     try:
         named = resolve(fields or DEFAULT_QUANTITIES.get(chosen_kind, ()))
@@ -239,8 +239,8 @@ def _parse_lines(line: Sequence[Any] | None) -> tuple[SectionLine, ...]:
         values = values.reshape(len(values), -1)
     good = values.ndim == 2 and len(values) > 0 and values.shape[1:] == (4,) and bool(np.isfinite(values).all())
     if not good or (values[:, :2] == values[:, 2:]).all(axis=1).any():
-        found = "two ends at one place" if good else describe(line)
-        raise InputError([Issue("line", found, "x1, y1, x2, y2 of two different places, in meters")])
+        line_text = "two ends at one place" if good else describe(line)
+        raise InputError([Issue("line", line_text, "x1, y1, x2, y2 of two different places, in meters")])
     return tuple(SectionLine("", (a, b), (c, d)) for a, b, c, d in values.tolist())
 
 
@@ -271,26 +271,26 @@ def middle_line(model: Model) -> SectionLine:
 
 def _require_depth(kind: str, combinations: Sequence[PlottedCombination]) -> None:
     """Raise InputError if stresses in the depth of other ground are to be drawn than a continuum."""
-    known = [
+    has_stresses = [
         cells is not None and not cells.piled
         for cells in (combination.results.ground.cells for combination in combinations)
     ]
-    if kind == "stress" and not all(known):
-        found = f"{quote(kind)} of {quote(combinations[0].results.model.ground.kind)} ground"
+    if kind == "stress" and not all(has_stresses):
+        other_ground = f"{quote(kind)} of {quote(combinations[0].results.model.ground.kind)} ground"
         hint = 'ground.kind = "continuum" or "constrained modulus" has them, below a slab without piles'
-        raise InputError([Issue("kind", found, "ground whose stresses in the depth are known", hint)])
+        raise InputError([Issue("kind", other_ground, "ground whose stresses in the depth are known", hint)])
 
 
 def _require_bar_fields(quantities: Sequence[PlotQuantity], combined: Results) -> None:
     """Raise InputError if there is none of a field of bars that is to be drawn, or no bars are enough somewhere."""
     wanted = [quantity.name for quantity in quantities if quantity.name in BAR_FIELDS]
-    there = bar_fields(combined) if wanted else {}
+    bar_values = bar_fields(combined) if wanted else {}
     issues = []
     for name in wanted:
-        if name not in there:
+        if name not in bar_values:
             hint = "it needs [reinforcement] and ultimate combinations; all but the required areas need bars provided"
             issues.append(Issue("FIELD", quote(name), "a field that these results have", hint))
-        elif not np.isfinite(there[name]).all():
+        elif not np.isfinite(bar_values[name]).all():
             hint = "the table reinforcement says where; a thicker slab or a stronger concrete helps"
             issues.append(Issue("FIELD", quote(name), "finite areas; somewhere no reinforcement is enough", hint))
     if issues:
@@ -310,8 +310,8 @@ def _find_conflicts(
     if of_bars and kind in ("deformed", "lines"):
         issues.append(Issue("FIELD", quote(of_bars[0]), f"a field of combinations, as kind is {quote(kind)}"))
     if of_bars and (combinations or envelope is not None):
-        found = f"{quote(of_bars[0])} of chosen combinations"
-        issues.append(Issue("FIELD", found, "none chosen, as it is over all ultimate combinations"))
+        chosen = f"{quote(of_bars[0])} of chosen combinations"
+        issues.append(Issue("FIELD", chosen, "none chosen, as it is over all ultimate combinations"))
     of_elements = [name for name in fields if SYMBOLS.get(name, name) in SHOWN_ELEMENT_FIELDS]
     if of_elements and kind == "lines":
         issues.append(Issue("FIELD", quote(of_elements[0]), 'a nodal field, as kind is "lines"'))

@@ -81,8 +81,8 @@ def _of_several(word: str, count: int, state: str) -> str:
     """Return what the largest or the smallest values are taken over."""
     if not state:
         return Message(f"{word} of {{count}} combinations", count=count)
-    one, many = (f"{word} of {{count}} {{state}} combination{s}" for s in ("", "s"))
-    return counted(count, one, many, state=state)
+    singular, plural = (f"{word} of {{count}} {{state}} combination{s}" for s in ("", "s"))
+    return counted(count, singular, plural, state=state)
 
 
 def draw_sheet(request: PlotRequest) -> Figure:

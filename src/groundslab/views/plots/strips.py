@@ -39,17 +39,17 @@ def curves_of_strips(combined: Results) -> list[BeamCurves]:
     Bars at the bottom are positive, those at the top negative; of strips at an angle to x and y they are not known.
     """
     results = ultimate_results(combined)
-    found = list[BeamCurves]()
+    curves = list[BeamCurves]()
     for output in combined.model.output.strips if results else ():
         if output.design == "beam":
             continue
         try:
             cuts = [
-                strip(each.plate, output.start, output.end, output.width, output.stations) for each in results
+                strip(solved.plate, output.start, output.end, output.width, output.stations) for solved in results
             ]  # fmt: skip
         except InputError:
             continue  # it does not cross the plate
-        means = np.stack([each.mean_moment for each in cuts])
+        means = np.stack([cut.mean_moment for cut in cuts])
         values = {"moment": np.stack([means.max(axis=0), means.min(axis=0)])}
         bars = _bars(combined, results, output, cuts)
         if bars is not None and np.isfinite(bars).all():
@@ -57,8 +57,8 @@ def curves_of_strips(combined: Results) -> list[BeamCurves]:
         units = {name: in_system(UNITS[unit], combined.model.units).scale for name, _, unit, _ in DRAWN}
         words = (Message("largest of {count} combinations", count=len(results)), "smallest")
         shown = {name: rows * units[name] for name, rows in values.items()}
-        found.append(BeamCurves(Name(output.name), cuts[0].s, shown, words, band=True))
-    return found
+        curves.append(BeamCurves(Name(output.name), cuts[0].s, shown, words, band=True))
+    return curves
 
 
 def draw_strips(model: Model, curves: Sequence[BeamCurves]) -> Figure:
@@ -79,14 +79,14 @@ def _bars(
         return None
     along, across = ("x", "y") if axis == 0 else ("y", "x")
     areas = []
-    for each, cut in zip(results, cuts, strict=True):
-        node = cKDTree(each.plate.nodes).query(np.column_stack([cut.x, cut.y]))[1]
-        thickness = each.elements.at_nodes(each.plate)[0][node]
+    for solved, cut in zip(results, cuts, strict=True):
+        node = cKDTree(solved.plate.nodes).query(np.column_stack([cut.x, cut.y]))[1]
+        thickness = solved.elements.at_nodes(solved.plate)[0][node]
         moments = DesignMoments(
             **{f"bottom_{along}": cut.bottom, f"top_{along}": cut.top},
             **{f"bottom_{across}": cut.bottom_across, f"top_{across}": cut.top_across},
         )
-        needed = areas_for(moments, thickness, steel, each.limit_state)
+        needed = areas_for(moments, thickness, steel, solved.limit_state)
         areas.append([getattr(needed, f"bottom_{along}"), -getattr(needed, f"top_{along}")])
     bottom, top = np.swapaxes(np.array(areas), 0, 1)
     return np.stack([bottom.max(axis=0), top.min(axis=0)])

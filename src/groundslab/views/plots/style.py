@@ -265,9 +265,9 @@ class Page:
 
     def add_axes(self, left: float, top: float, width: float, height: float, **options: Any) -> Axes:
         """Return axes in a box [mm]."""
-        made: Axes = self.figure.add_axes((0.0, 0.0, 1.0, 1.0), **options)
-        self._axes.append((made, left, top, width, height))
-        return made
+        axes: Axes = self.figure.add_axes((0.0, 0.0, 1.0, 1.0), **options)
+        self._axes.append((axes, left, top, width, height))
+        return axes
 
     def write(self, left: float, top: float, text: str, **look: Any) -> None:
         """Write a text, free of formulas, whose upper left corner (or what `ha` says) is at a place [mm]."""
@@ -305,8 +305,8 @@ class Page:
         rows = -(-len(words) // columns)
         height = bottom + rows * ROW + (1.5 if rows else 0.0) + FOOT * PT + MARGIN
         self.figure.set_size_inches(self.width * MM, height * MM)
-        for made, left, top, wide, high in self._axes:
-            made.set_position((left / self.width, 1 - (top + high) / height, wide / self.width, high / height))
+        for axes, left, top, wide, high in self._axes:
+            axes.set_position((left / self.width, 1 - (top + high) / height, wide / self.width, high / height))
         if signed:
             corner = (self.width - MARGIN, height - MARGIN - FOOT * PT)
             self.write(*corner, Name(f"groundslab {__version__}"), fontsize=FOOT, color=GREY, ha="right")

@@ -173,8 +173,8 @@ def _borders(area: BaseGeometry) -> list[Array]:
 
 def load_filter(factors: Iterable[tuple[str, float]]) -> Callable[[AnyLoad], bool]:
     """Return whether a load takes part where its case has a factor that is not 0; all do where there are no cases."""
-    known = dict(factors)
-    return lambda load: not known or bool(known.get(load.case))
+    by_case = dict(factors)
+    return lambda load: not by_case or bool(by_case.get(load.case))
 
 
 def draw_columns(axes: Axes, model: Model, takes_part: Callable[[AnyLoad], bool]) -> Entries:

@@ -55,7 +55,7 @@ def list_certificates(combined: Results, entries: Sequence[Entry]) -> list[Table
 
 def _all_certificates(proofs: Mapping[str, SummarySection], units: System) -> list[TableLayout]:
     """Return the certificates of several combinations, one a row and cut in two, folded."""
-    known = {row.key: row for section in proofs.values() for row in section.rows}
+    row_kinds = {row.key: row for section in proofs.values() for row in section.rows}
     rows = []
     for name, section in proofs.items():
         by_key = {row.key: row for row in section.rows}
@@ -63,10 +63,10 @@ def _all_certificates(proofs: Mapping[str, SummarySection], units: System) -> li
             Cell(shown_row(by_key[key], units).figure, "bad" if by_key[key].ok is False else "number")
             if key in by_key
             else Cell("")
-            for key in known
+            for key in row_kinds
         ]
         rows.append((Cell(name), *cells, _holds(all(row.ok is not False for row in section.rows))))
-    figures = [TableHeader(row.label, shown_row(row, units).unit, number=True) for row in known.values()]
+    figures = [TableHeader(row.label, shown_row(row, units).unit, number=True) for row in row_kinds.values()]
     heads = [TableHeader("combination"), *figures, TableHeader("certificate")]
     grid = TableLayout("", tuple(heads), tuple(rows), folded=True)
     return table_layout.split_columns(drop_empty_columns(grid), 1)

@@ -110,13 +110,13 @@ def build_report(
     shown = _chosen(combined, chapters, comparison, length)
     short, source = length == "short", SourceText(printable(file), printable(text, keep="\n\t"))
     makers = _chapters(combined, entries, comparison, source, short=short, in_appendix="long_tables" in shown)
-    made: list[ChapterOfReport] = []
+    finished: list[ChapterOfReport] = []
     for number, name in enumerate(shown):
         told(TITLES[name], number / len(shown))
-        made.append(ChapterOfReport(name, TITLES[name], tuple(makers[name]()), name in APPENDIX))
+        finished.append(ChapterOfReport(name, TITLES[name], tuple(makers[name]()), name in APPENDIX))
     if combined.refused:
-        first = next((at for at, chapter in enumerate(made) if chapter.in_appendix), len(made))
-        made.insert(first, ChapterOfReport("refused", "Combinations without results", tuple(_refused(combined))))
+        first = next((at for at, chapter in enumerate(finished) if chapter.in_appendix), len(finished))
+        finished.insert(first, ChapterOfReport("refused", "Combinations without results", tuple(_refused(combined))))
     design, digest = check_design(combined), hashlib.sha256(text.encode()).hexdigest()
     return Report(
         title=combined.model.title,
@@ -134,7 +134,7 @@ def build_report(
         unchecked=design.unchecked,
         checks=tuple(_check_line(check, short=short) for check in design.checks),
         analysis=_verdict(combined, entries),
-        chapters=tuple(made),
+        chapters=tuple(finished),
     )
 
 
@@ -200,9 +200,9 @@ def _chapters(
 ) -> dict[Chapter, Callable[[], Iterable[Block]]]:
     """Return what makes the blocks of each chapter, so that only those wanted are made."""
     model = combined.model
-    there = [entry.results for entry in entries if entry.results is not None]
+    solved = [entry.results for entry in entries if entry.results is not None]
     governing = drawings.find_governing(combined).get("settlement", "")
-    leading = combined.results.get(governing) or (there[0] if there else None)
+    leading = combined.results.get(governing) or (solved[0] if solved else None)
     tables = cache(lambda: tables_of(combined))
     translate, beside = translator_of(combined), 3 if short else 2
     return {
@@ -228,7 +228,7 @@ def _chapters(
         ),
         "calculations": lambda: _calculations(combined, tables(), short=short),
         "viewer": lambda: (Viewer(),),
-        "case": lambda: _case(combined, source, list_sections(combined) if there else ()),
+        "case": lambda: _case(combined, source, list_sections(combined) if solved else ()),
         "certificate": lambda: list_certificates(combined, entries),
         "convergence": lambda: _convergence(entries, model.units),
         "long_tables": lambda: (
@@ -389,7 +389,7 @@ def _extremes(combined: Results, entries: Sequence[Entry]) -> Iterator[TableLayo
     }
     for key in dict.fromkeys(key for group in groups.values() for key in group):
         sides = [group[key][1] if key in group else {} for group in groups.values()]
-        there = [group[key][0] for group in groups.values() if key in group]
+        of_key = [group[key][0] for group in groups.values() if key in group]
         keys = dict.fromkeys(key for side in sides for key in side)
         rows = [_shared_label([side[key].row for side in sides if key in side]) for key in keys]
         heads = headers("", "symbol", "unit")
@@ -406,8 +406,8 @@ def _extremes(combined: Results, entries: Sequence[Entry]) -> Iterator[TableLayo
             )
             for row in rows
         )
-        notes = tuple(dict.fromkeys(note for section in there for note in section.notes))
-        yield drop_empty_columns(TableLayout(there[0].title, heads, cells, notes))
+        notes = tuple(dict.fromkeys(note for section in of_key for note in section.notes))
+        yield drop_empty_columns(TableLayout(of_key[0].title, heads, cells, notes))
 
 
 def _shared_label(rows: Sequence[Row]) -> Row:

@@ -84,12 +84,12 @@ def _set(node: ast.expr, atom: Callable[[int], str], comma: str) -> str:
             return f"{part(left, PRODUCT)} dot {part(right, PRODUCT)}"
         case ast.BinOp(op=ast.Div()):
             above, below = _fraction(node)
-            under = " dot ".join(part(each, PRODUCT if len(below) > 1 else SUM) for each in below)
+            under = " dot ".join(part(factor, PRODUCT if len(below) > 1 else SUM) for factor in below)
             return f"frac({_set(above, atom, comma)}, {under})"
         case ast.BinOp(left=left, op=ast.Pow(), right=right):
             return f"{part(left, ATOM)}^({_exponent(right, atom, comma)})"
         case ast.Call(func=ast.Name(id=name), args=args):
-            return _called(name, [_set(each, atom, comma) for each in args], comma)
+            return _called(name, [_set(argument, atom, comma) for argument in args], comma)
     raise ValueError(ast.dump(node))
 
 

@@ -79,8 +79,8 @@ def shorten_input(sections: Sequence[InputTable]) -> Iterator[Part]:
     """Yield what a case gives of plate, ground and reinforcement: keys and values, without meanings and defaults."""
     for section in sections:
         # bars have a table of their own
-        given = map(_given, section.grids[:1] if section.key == "reinforcement" else section.grids)
-        if section.key in GIVEN and (grids := [grid for grid in given if grid.rows]):
+        stated = map(_given, section.grids[:1] if section.key == "reinforcement" else section.grids)
+        if section.key in GIVEN and (grids := [grid for grid in stated if grid.rows]):
             blocks = (Part(grid.title, (grid,), level=4) if grid.title else grid for grid in grids)
             yield Part(section.title, tuple(blocks), keep=True)
 

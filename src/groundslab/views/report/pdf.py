@@ -54,8 +54,8 @@ def typeset(
     template = (HERE / "templates" / "report.typ").read_bytes()
     # the package's annotations lack several files
     files: Any = {"main.typ": template, "report.json": data.encode(), **writer.drawings}
-    made: bytes = typst.compile(files, font_paths=report_fonts(), pdf_standards=list(STANDARDS))
-    return made
+    pdf: bytes = typst.compile(files, font_paths=report_fonts(), pdf_standards=list(STANDARDS))
+    return pdf
 
 
 @cache
@@ -134,7 +134,11 @@ class _Writer:
             case Bullets(texts):
                 yield {"block": "bullets", "texts": [self._sentence(text) for text in texts]}
             case Figures(drawings, columns) if drawings:
-                yield {"block": "figures", "columns": columns, "figures": [self._of_drawing(each) for each in drawings]}
+                yield {
+                    "block": "figures",
+                    "columns": columns,
+                    "figures": [self._of_drawing(drawing) for drawing in drawings],
+                }
             case TableLayout(rows=()):
                 yield from self._of_blocks((Paragraph("Nothing to list."), *map(Paragraph, block.notes)))
             case TableLayout():
@@ -227,6 +231,6 @@ def standalone(svg: str) -> tuple[bytes, str]:
     from html import unescape
 
     label = re.search(r'aria-label="([^"]*)"', svg)
-    own = str(svg).replace("<svg ", '<svg xmlns="http://www.w3.org/2000/svg" font-family="Inter" font-size="11" ', 1)
-    painted = re.sub(r"var\((--[\w-]+)\)", lambda match: COLORS[match[1]], own)
+    markup = str(svg).replace("<svg ", '<svg xmlns="http://www.w3.org/2000/svg" font-family="Inter" font-size="11" ', 1)
+    painted = re.sub(r"var\((--[\w-]+)\)", lambda match: COLORS[match[1]], markup)
     return painted.encode(), unescape(label[1]) if label else ""

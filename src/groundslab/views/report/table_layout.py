@@ -143,14 +143,14 @@ def summarize_table(table: Table) -> TableLayout | None:
     errors = errors_of(table)
     along = next((column for column in table.columns[2:keys] if column.name == "s"), None)
     rows = []
-    for one in dict.fromkeys(name):
-        at = [i for i, row_name in enumerate(name) if row_name == one]
+    for item in dict.fromkeys(name):
+        at = [i for i, row_name in enumerate(name) if row_name == item]
         for column in (column for column in table.columns[keys:] if column.unit != "deg" and not column.error_of):
-            known = [(value, i) for i in at if isinstance(value := column.values[i], float)]
-            if not known:
+            entries = [(value, i) for i in at if isinstance(value := column.values[i], float)]
+            if not entries:
                 continue
-            row = [Cell(str(one)), Cell(column.name, "words"), Cell(column.unit)]
-            for value, i in (min(known, key=itemgetter(0)), max(known, key=itemgetter(0))):
+            row = [Cell(str(item)), Cell(column.name, "words"), Cell(column.unit)]
+            for value, i in (min(entries, key=itemgetter(0)), max(entries, key=itemgetter(0))):
                 place = [] if along is None else [_cell(along.values[i])]
                 row += [_cell(value, errors[column.name][i]), *place, Cell(str(combination[i]))]
             rows.append(tuple(row))

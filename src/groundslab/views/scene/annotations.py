@@ -26,8 +26,11 @@ def reactions_of(results: CombinationResult) -> list[dict[str, Any]]:
     """Return where each support and each wall is [m], and its force with an arrow in its sense."""
     units = results.model.units
     return [
-        {"at": [*np.round(one.place, DIGITS)], "text": f"{one.arrow} {one.words(units, signed=False)}".strip()}
-        for one in chain(support_reactions(results), wall_reactions(results))
+        {
+            "at": [*np.round(reaction.place, DIGITS)],
+            "text": f"{reaction.arrow} {reaction.words(units, signed=False)}".strip(),
+        }
+        for reaction in chain(support_reactions(results), wall_reactions(results))
     ]
 
 
@@ -37,19 +40,20 @@ def bars_of(model: Model) -> list[dict[str, Any]]:
 
     sets = bar_sets(model)
     zones = {
-        layer: [one.region for one in sets if one.layer == layer and one.zone] for layer in {one.layer for one in sets}
+        layer: [bar_set.region for bar_set in sets if bar_set.layer == layer and bar_set.zone]
+        for layer in {bar_set.layer for bar_set in sets}
     }
     described = []
-    for one in (one for one in sets if not one.region.is_empty):
-        free = one.region if one.zone else one.region.difference(unary_union(zones[one.layer]))
-        place = (one.region if free.is_empty else free).representative_point()
+    for bar_set in (bar_set for bar_set in sets if not bar_set.region.is_empty):
+        free = bar_set.region if bar_set.zone else bar_set.region.difference(unary_union(zones[bar_set.layer]))
+        place = (bar_set.region if free.is_empty else free).representative_point()
         described.append(
             {
-                "layer": one.layer,
-                "zone": one.zone,
-                "rings": _rings(one.region) if one.zone else [],
+                "layer": bar_set.layer,
+                "zone": bar_set.zone,
+                "rings": _rings(bar_set.region) if bar_set.zone else [],
                 "at": [*np.round((place.x, place.y), DIGITS)],
-                "text": _words(one, model.units),
+                "text": _words(bar_set, model.units),
             }
         )
     return described

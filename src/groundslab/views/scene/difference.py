@@ -41,13 +41,13 @@ def difference_of(combined: Results, minus: Subtracted) -> Scene:
     """
     combinations.require_finite(combined)
     entries = combinations.entries(combined)
-    there = {entry.combination.name: entry.results for entry in entries if entry.results is not None}
-    require_one_mesh([results.plate for results in there.values()])
-    found, others = find_subtracted(there, minus)
-    if not found:
+    solved = {entry.combination.name: entry.results for entry in entries if entry.results is not None}
+    require_one_mesh([results.plate for results in solved.values()])
+    matches, others = find_subtracted(solved, minus)
+    if not matches:
         hint = "choose one of them to subtract it from all"
         raise InputError([Issue("minus", f"results of {one_of(others)}", "a combination that both have", hint)])
-    pairs = {name: (there[name], other.results) for name, other in found.items() if other.results is not None}
+    pairs = {name: (solved[name], other.results) for name, other in matches.items() if other.results is not None}
     require_one_mesh([other.plate for _, other in pairs.values()])
     target, source = next(iter(pairs.values()))
     move = transfer(source.plate, target.plate)
@@ -64,10 +64,10 @@ def difference_of(combined: Results, minus: Subtracted) -> Scene:
         "title": combined.model.title,
         "version": __version__,
         "plan": plan_of(combined.solved_model),
-        "mesh": mesh_of(combined.model, list(there.values()), blocks),
+        "mesh": mesh_of(combined.model, list(solved.values()), blocks),
         "fields": [_describe(name, units) for name in names],
         "combinations": [
-            _combination(entry, found.get(entry.combination.name), names, values_of, blocks, target.plate.nodes)
+            _combination(entry, matches.get(entry.combination.name), names, values_of, blocks, target.plate.nodes)
             for entry in entries
         ],
         "left_out": [],

@@ -48,13 +48,13 @@ def scene_of(combined: Results, most: int | None = None) -> Scene:
     """
     combinations.require_finite(combined)
     entries = combinations.entries(combined)
-    there = [entry.results for entry in entries if entry.results is not None]
-    plates = [results.plate for results in there]
+    solved = [entry.results for entry in entries if entry.results is not None]
+    plates = [results.plate for results in solved]
     require_one_mesh(plates)
-    names = fields_of(there)
+    names = fields_of(solved)
     blocks, units = Blocks(), combined.model.units
     of_bars = _fields_of_bars(combined)
-    mesh = mesh_of(combined.model, there, blocks)
+    mesh = mesh_of(combined.model, solved, blocks)
     kept = _kept(entries, names, len(entries) if most is None else most)
     values = _fields_of_combinations(
         {entry.number: entry.results for entry in entries if entry.number in kept}, names, blocks
@@ -68,7 +68,7 @@ def scene_of(combined: Results, most: int | None = None) -> Scene:
         "version": __version__,
         "plan": plan_of(combined.solved_model),
         "mesh": mesh,
-        "fields": [_about(name, there, units) for name in names]
+        "fields": [_about(name, solved, units) for name in names]
         + [describe_field(name, False, units) for name in of_bars]
         + [_CONTACT],
         "combinations": [_combination(entry, names, values.get(entry.number), units) for entry in entries],
@@ -80,11 +80,11 @@ def scene_of(combined: Results, most: int | None = None) -> Scene:
     return Scene(head, blocks.data)
 
 
-def mesh_of(model: Model, there: Sequence[CombinationResult], blocks: Blocks) -> dict[str, Any]:
+def mesh_of(model: Model, solved: Sequence[CombinationResult], blocks: Blocks) -> dict[str, Any]:
     """Return the mesh that combinations share, empty where there are none."""
     nodes, elements, section = np.zeros((0, 2)), np.zeros((0, 9), dtype=np.int64), np.zeros(0, dtype=np.int64)
-    if there:
-        nodes, elements, section = there[0].plate.nodes, there[0].plate.elements, there[0].elements.section
+    if solved:
+        nodes, elements, section = solved[0].plate.nodes, solved[0].plate.elements, solved[0].elements.section
     # single precision is too coarse for coordinates of national grids
     origin = plan_origin(model)
     return {
@@ -105,25 +105,25 @@ _CONTACT = {
 }
 
 
-def fields_of(there: list[CombinationResult]) -> list[str]:
+def fields_of(solved: list[CombinationResult]) -> list[str]:
     """Return the names of the fields that are shown; a penetration and forces along edges only where there are any.
 
     Those of elements only if all combinations have them.
     """
     absent = {
-        "penetration": not any(results.plate.penetration.any() for results in there),
-        LINE_FORCE: not any(map(has_line_force, there)),
+        "penetration": not any(results.plate.penetration.any() for results in solved),
+        LINE_FORCE: not any(map(has_line_force, solved)),
     }
     of_elements = [
-        name for name in SHOWN_ELEMENT_FIELDS if all(getattr(results.elements, name) is not None for results in there)
+        name for name in SHOWN_ELEMENT_FIELDS if all(getattr(results.elements, name) is not None for results in solved)
     ]
-    return [name for name in SHOWN if not absent.get(name)] + (of_elements if there else [])
+    return [name for name in SHOWN if not absent.get(name)] + (of_elements if solved else [])
 
 
-def _about(name: str, there: list[CombinationResult], units: System) -> dict[str, Any]:
+def _about(name: str, solved: list[CombinationResult], units: System) -> dict[str, Any]:
     """Return how a field is called and shown; it is signed if its sign matters."""
     sign = ABOUT[name].sign
-    signed = sign == "any" or any(goes_below_zero(nodal_values(results, name)) for results in there)
+    signed = sign == "any" or any(goes_below_zero(nodal_values(results, name)) for results in solved)
     return describe_field(name, signed, units)
 
 
@@ -156,13 +156,13 @@ def _fields_of_combinations(
     combined: Mapping[int, CombinationResult | None], names: list[str], blocks: Blocks
 ) -> dict[int, dict[str, dict[str, Any]]]:
     """Return the fields of combinations with results, by their numbers."""
-    there = {number: results for number, results in combined.items() if results is not None}
-    values: dict[int, dict[str, dict[str, Any]]] = {number: {} for number in there}
-    for name in names if there else ():
-        fields = np.array([shown_values(results, name) for results in there.values()])
+    solved = {number: results for number, results in combined.items() if results is not None}
+    values: dict[int, dict[str, dict[str, Any]]] = {number: {} for number in solved}
+    for name in names if solved else ():
+        fields = np.array([shown_values(results, name) for results in solved.values()])
         for of_one, block in zip(values.values(), put_fields(blocks, fields), strict=True):
             of_one[name] = block
-    for number, results in there.items():
+    for number, results in solved.items():
         values[number]["contact"] = blocks.put_signed(contact_function(results))
     return values
 

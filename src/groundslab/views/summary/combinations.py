@@ -138,9 +138,9 @@ def extremes(
         if limit_states is not None and results.limit_state not in limit_states:
             continue
         for section in sections.figures(results):
-            known, rows = by_section.setdefault(section.key, (section, {}))
-            notes = tuple(dict.fromkeys((*known.notes, *section.notes)))
-            by_section[section.key] = replace(known, notes=notes), rows
+            earlier, rows = by_section.setdefault(section.key, (section, {}))
+            notes = tuple(dict.fromkeys((*earlier.notes, *section.notes)))
+            by_section[section.key] = replace(earlier, notes=notes), rows
             _collect_extremes(rows, section.rows, number)
     return [(section, tuple(rows.values())) for section, rows in by_section.values()]
 

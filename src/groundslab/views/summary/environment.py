@@ -28,8 +28,8 @@ def environment(model: Model) -> dict[str, Any]:
             versions[name] = metadata.version(name)
         except metadata.PackageNotFoundError:
             continue
-    known = {} if (found := commit()) is None else {"commit": found}
-    return {"versions": versions, "threads": _threads(model.analysis.solver), **known}
+    origin = {} if (commit_id := commit()) is None else {"commit": commit_id}
+    return {"versions": versions, "threads": _threads(model.analysis.solver), **origin}
 
 
 def _threads(name: str) -> int:
@@ -57,5 +57,5 @@ def commit() -> str | None:
         address = metadata.distribution("groundslab").read_text("direct_url.json")
     except metadata.PackageNotFoundError:
         return None
-    found = json.loads(address or "{}").get("vcs_info", {}).get("commit_id")
-    return found if isinstance(found, str) else None
+    commit_id = json.loads(address or "{}").get("vcs_info", {}).get("commit_id")
+    return commit_id if isinstance(commit_id, str) else None

@@ -91,7 +91,7 @@ def _print_cases(combined: Results, console: Console) -> None:
 def _print_only(results: CombinationResult, console: Console) -> None:
     """Print the figures of an only combination and its convergence history."""
     translate = translator_of(results)
-    for section in (translated(each, translate) for each in summary(results)):
+    for section in (translated(original, translate) for original in summary(results)):
         _print_section(section, [_line(row, results.model.units, translate) for row in section.rows], console)
     console.print()
     print_history(results.steps, console, translate)
@@ -101,7 +101,7 @@ def _print_several(combined: Results, entries: Sequence[Entry], console: Console
     """Print what combinations have in common, each on its lines, and the extremes over all."""
     units, translate = combined.model.units, translator_of(combined)
     described = combinations.description(combined) if any(entry.results for entry in entries) else []
-    for section in (translated(each, translate) for each in described):
+    for section in (translated(original, translate) for original in described):
         _print_section(section, [_line(row, units, translate) for row in section.rows], console)
     console.print()
     _print_lines([translate("Combinations")], "bold cyan", console)

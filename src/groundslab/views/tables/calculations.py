@@ -44,21 +44,21 @@ def calculations(combined: Results) -> Table:
     rows: list[list[Cell]] = []
     for check, (of, combination, steps, perimeter, place) in _calculations(combined):
         x, y = place or ((None, None) if perimeter is None else map(float, perimeter.center))
-        known: dict[str, float] = {}
+        values: dict[str, float] = {}
         for step in steps:
-            numbers = with_numbers(step, known) if step.formula else ""
+            numbers = with_numbers(step, values) if step.formula else ""
             about: list[Cell] = [check, of, combination, step.words, step.symbol, step.formula, numbers]
             rows.append([*about, step.value, step.unit, Clause(step.clause), x, y])
-            known[step.symbol] = step.value
+            values[step.symbol] = step.value
     return table_of("calculations", "Calculations", _HEADS, rows, _NOTES)
 
 
 def perimeters(combined: Results) -> dict[tuple[str, str, str], SketchedPerimeter]:
     """Return the perimeters of calculations by check, what it is of, and combination."""
     return {
-        (check, each.of, each.combination): each.perimeter
-        for check, each in _calculations(combined)
-        if each.perimeter is not None
+        (check, calculation.of, calculation.combination): calculation.perimeter
+        for check, calculation in _calculations(combined)
+        if calculation.perimeter is not None
     }
 
 

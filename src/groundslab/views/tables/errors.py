@@ -136,14 +136,15 @@ def _with_known(table: Table, extremes: Table, columns: Mapping[str, Iterable[tu
     if not any(column.error_of for column in extremes.columns):
         return table
     keys = [*zip(extremes["combination"], extremes["quantity"], strict=True)]
-    known = {
+    by_extreme = {
         (*key, name): error
         for name in ("least", "greatest")
         for key, error in zip(keys, extremes[_name(name)], strict=True)
     }
     unit = {column.name: column.unit for column in table.columns}
     errors = [
-        Column(_name(name), unit[name], tuple(map(known.get, rows)), error_of=name) for name, rows in columns.items()
+        Column(_name(name), unit[name], tuple(map(by_extreme.get, rows)), error_of=name)
+        for name, rows in columns.items()
     ]
     return replace(table, columns=(*table.columns, *errors))
 
@@ -178,13 +179,13 @@ def _with_errors(table: Table, coarser: Table, combination: Sequence[Cell], comb
         alike = _ALIKE.get(column.name, "combination")
         errors: list[Cell] = []
         rows = column.values, coarser[column.name], table[alike], coarser[alike], combination
-        for value, other, one, two, name in zip(*rows, strict=True):
+        for value, other, fine, rough, name in zip(*rows, strict=True):
             comparison = compared.get(str(name))
             error = None
             if column.name == "area in contact":
                 share = error_of_contact_share(combined.results[str(name)]) if comparison is not None else None
                 error = None if share is None else 100 * share
-            elif comparison is not None and one == two and isinstance(value, float) and isinstance(other, float):
+            elif comparison is not None and fine == rough and isinstance(value, float) and isinstance(other, float):
                 sizes = (abs(value), abs(other)) if column.name in _SIZES else (value, other)
                 error = estimate_error(*sizes, comparison) if all(map(isfinite, sizes)) else None
             errors.append(error)

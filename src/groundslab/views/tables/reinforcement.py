@@ -80,10 +80,10 @@ def support_moments(combined: Results, steel: Reinforcement) -> Table:
     ]  # fmt: skip
     rows = [
         [
-            one.support, one.layer.replace("_", " "), one.moment / 1e3, one.width or None, *one.place,
-            one.combination, one.peak / 1e3, *one.peak_place, 100 * one.moment / one.peak if one.peak else None,
+            line.support, line.layer.replace("_", " "), line.moment / 1e3, line.width or None, *line.place,
+            line.combination, line.peak / 1e3, *line.peak_place, 100 * line.moment / line.peak if line.peak else None,
         ]
-        for one in moments_at_supports(ultimate_results(combined), steel)
+        for line in moments_at_supports(ultimate_results(combined), steel)
     ]  # fmt: skip
     notes = [
         Message("Wood's design moments, {supports}.", supports=averages(steel)),

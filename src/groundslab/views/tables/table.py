@@ -114,8 +114,8 @@ def table_of(
     """Return a table from its rows; NumPy's numbers become Python's, lengths in meters are rounded to nanometers."""
     plain = [[_plain(value, unit) for value, (_, unit) in zip(row, heads, strict=True)] for row in rows]
     columns = list(zip(*plain, strict=True)) if plain else [()] * len(heads)
-    made = (Column(name, unit, values) for (name, unit), values in zip(heads, columns, strict=True))
-    return Table(name, title, tuple(made), tuple(notes), tuple(by_row))
+    named_columns = (Column(name, unit, values) for (name, unit), values in zip(heads, columns, strict=True))
+    return Table(name, title, tuple(named_columns), tuple(notes), tuple(by_row))
 
 
 def in_units(table: Table, system: System) -> Table:

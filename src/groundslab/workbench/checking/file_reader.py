@@ -54,8 +54,8 @@ class FileReader:
             except InputError:
                 raise
             except Exception as error:  # of any kind, as what is damaged may be anything
-                found = Message("a damaged file ({error})", error=Name(f"{type(error).__name__}: {error}"))
-                raise InputError([Issue(str(path), found, self.kind.expected, self.kind.if_damaged)]) from None
+                damage = Message("a damaged file ({error})", error=Name(f"{type(error).__name__}: {error}"))
+                raise InputError([Issue(str(path), damage, self.kind.expected, self.kind.if_damaged)]) from None
             finally:
                 process.close()
 

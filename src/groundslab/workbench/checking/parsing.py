@@ -80,8 +80,8 @@ def check(document: Document, folder: Path | None = None) -> CheckResult:
         raise
     except Exception as error:
         traceback.print_exc()
-        found = explain_error(error)
-        issues = (Issue("the description", found, "a description that it can read", "undo the last step"),)
+        failure = explain_error(error)
+        issues = (Issue("the description", failure, "a description that it can read", "undo the last step"),)
     issues_json = diagnostics.text_issues_to_json(issues, document.layout, document.data is not None)
     return CheckResult("", issues, issues_json, None)
 

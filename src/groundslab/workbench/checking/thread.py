@@ -155,8 +155,8 @@ def _explain_failure(error: Exception) -> CheckResult:
         memory = Message("{file} that takes too much memory to read ({error})", file="a case", error=str(error))
         issue = Issue("the description", memory, "a smaller one", hint)
     else:
-        found = Message(
+        unreadable = Message(
             "{file} that cannot be read ({error})", file="a case", error=Name(f"{type(error).__name__}: {error}")
         )
-        issue = Issue("the description", found, "one that can be read", "undo the last step")
+        issue = Issue("the description", unreadable, "one that can be read", "undo the last step")
     return CheckResult("", (issue,), diagnostics.issues_to_json([issue]), None)

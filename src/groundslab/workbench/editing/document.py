@@ -185,8 +185,8 @@ class Document:
         """Return the document with some text replaced; raises InputError unless its data are then as expected."""
         document = replace(self, text=apply_replacements(self.text, replacements))
         if document.data is None or not equal_values(_drop_empty(document.data), _drop_empty(expected)):
-            found, hint = "a file whose layout does not allow this edit", "edit the text instead"
-            raise InputError([Issue("the edit", found, "a text in which only that changes", hint)])
+            rigid_layout, hint = "a file whose layout does not allow this edit", "edit the text instead"
+            raise InputError([Issue("the edit", rigid_layout, "a text in which only that changes", hint)])
         return document
 
 
@@ -229,8 +229,8 @@ def _require_parent(data: Any, path: Path) -> None:
         if isinstance(step, int):
             if not isinstance(data, list) or step >= len(data):
                 expected = f"a list of more than {step}; another one is added to a list, not set"
-                found = describe(None if data is MISSING else data)
-                raise InputError([Issue(format_path(path[:depth]), found, expected)])
+                described = describe(None if data is MISSING else data)
+                raise InputError([Issue(format_path(path[:depth]), described, expected)])
             data = data[step]
         elif data is MISSING or isinstance(data, Mapping):
             data = MISSING if data is MISSING else data.get(step, MISSING)

@@ -34,17 +34,17 @@ def merge(base: str, mine: str, theirs: str) -> str | None:
 
     They can where each changed other tables and other lines, and the merged text says just that.
     """
-    before, own, other = (Document(text).data for text in (base, mine, theirs))
-    if before is None or own is None or other is None:
+    before, ours, other = (Document(text).data for text in (base, mine, theirs))
+    if before is None or ours is None or other is None:
         return None
-    changed_own, changed_other = _changed(before, own), _changed(before, other)
+    changed_own, changed_other = _changed(before, ours), _changed(before, other)
     if changed_own & changed_other:
         return None
     merged = _merge_lines(*(text.splitlines(keepends=True) for text in (base, mine, theirs)))
     if merged is None:
         return None
     expected = {key: value for key, value in other.items() if key not in changed_own}
-    expected |= {key: value for key, value in own.items() if key in changed_own}
+    expected |= {key: value for key, value in ours.items() if key in changed_own}
     try:
         parsed = tomllib.loads(merged)
     except tomllib.TOMLDecodeError:

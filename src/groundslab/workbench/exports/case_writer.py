@@ -33,8 +33,8 @@ class CaseWriter:
                 exported: Exported = process.call(write_saf, text, seconds=self._seconds)
                 return exported
             except CallFailure as error:
-                found = Message("a case that cannot be written ({error})", error=str(error))
-                raise InputError([Issue("the SAF file", found, "a smaller case")]) from None
+                failure = Message("a case that cannot be written ({error})", error=str(error))
+                raise InputError([Issue("the SAF file", failure, "a smaller case")]) from None
             finally:
                 process.close()
 

@@ -44,11 +44,11 @@ def add_difference_route(app: FastAPI, write: Callable[[int, Wanted, int | None]
         return Response(write(run, wanted, reference), media_type="application/octet-stream")
 
 
-def respond_export(name: str, made: Exported) -> Response:
+def respond_export(name: str, exported: Exported) -> Response:
     """Return a file with what is said of it."""
-    response = respond_download(name, made.content, "application/octet-stream")
+    response = respond_download(name, exported.content, "application/octet-stream")
     response.headers[NOTES] = quote(
-        json.dumps(say([Label(note) for note in made.notes], present_translator())), safe=""
+        json.dumps(say([Label(note) for note in exported.notes], present_translator())), safe=""
     )
     return response
 

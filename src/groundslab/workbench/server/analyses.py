@@ -156,8 +156,8 @@ class Analyses:
         """Return what was found in the present revision; raises InputError with its issues if it has any."""
         result = self._revision.result
         if result is None:
-            found, hint = "a case that is still being checked", "wait until it has been checked"
-            raise InputError([Issue("the description", found, "a checked one", hint)])
+            unchecked, hint = "a case that is still being checked", "wait until it has been checked"
+            raise InputError([Issue("the description", unchecked, "a checked one", hint)])
         if result.issues:
             raise InputError(result.issues)
         return result

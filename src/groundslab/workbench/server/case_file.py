@@ -31,10 +31,10 @@ class OpenElsewhere(Conflict):
     def __init__(self, path: Path, owner: Mapping[str, Any]) -> None:
         self.url = str(owner.get("url", ""))
         self.pid = owner.get("pid")
-        found = Message("a file that another workbench has open (process {process})", process=str(self.pid))
+        taken = Message("a file that another workbench has open (process {process})", process=str(self.pid))
         super().__init__(
             "open",
-            [Issue(str(path), found, "a file that is free", self.url and Message("go to {url}", url=Name(self.url)))],
+            [Issue(str(path), taken, "a file that is free", self.url and Message("go to {url}", url=Name(self.url)))],
         )
 
 
@@ -67,8 +67,8 @@ class CaseFile:
                 raise Conflict("exists", [Issue(str(target), "a file that exists", "a name that is free")])
             if files.compute_digest(present) != self.base and present != content:
                 hint = "save it under another name, open it again, or overwrite it"
-                found = "a file that another program has changed since it was read"
-                raise Conflict("changed", [Issue(str(target), found, "the file as it was read", hint)])
+                changed = "a file that another program has changed since it was read"
+                raise Conflict("changed", [Issue(str(target), changed, "the file as it was read", hint)])
         saved = self if is_own else CaseFile(target, None, lock(target))
         try:
             atomic.write(target, content)
@@ -114,8 +114,8 @@ def lock_file(path: Path, state: Path, url: str) -> Lock:
     try:
         lock, owner = Lock.acquire(state / "open" / f"{name}.lock", {"pid": os.getpid(), "url": url, "file": str(path)})
     except OSError as error:
-        found = Message("no folder for the list of open cases ({error})", error=files.describe_error(error))
-        raise InputError([Issue(str(state), found, "a folder that can be written")]) from None
+        no_folder = Message("no folder for the list of open cases ({error})", error=files.describe_error(error))
+        raise InputError([Issue(str(state), no_folder, "a folder that can be written")]) from None
     if lock is None:
         raise OpenElsewhere(path, owner)
     return lock

@@ -129,8 +129,8 @@ def _bind(port: int) -> socket.socket:
         listener.bind((ADDRESS, port))
     except (OSError, OverflowError) as error:
         listener.close()
-        found = f"{port} ({files.describe_error(error)})"
-        raise InputError([Issue("--port", found, "a port that is free", "leave it out for any")]) from None
+        busy_port = f"{port} ({files.describe_error(error)})"
+        raise InputError([Issue("--port", busy_port, "a port that is free", "leave it out for any")]) from None
     return listener
 
 

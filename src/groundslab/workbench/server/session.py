@@ -130,8 +130,8 @@ class Session:
             if which == "merged" and self.editor.copy.document.text != before:
                 is_same = False  # edited while it was merged
             if not is_same or (which == "merged" and merged is None):
-                found, hint = "a file that has changed again", "look at the difference again"
-                raise Conflict("changed", [Issue(str(self.file.path), found, "the file that was compared", hint)])
+                changed, hint = "a file that has changed again", "look at the difference again"
+                raise Conflict("changed", [Issue(str(self.file.path), changed, "the file that was compared", hint)])
             self.file.adopt(content)
             if which == "theirs":
                 self.editor.take(theirs, Label("Reload from disk"))

@@ -69,8 +69,8 @@ class ResultsView:
         if path.is_dir():
             return cls._read_folder(path, path)
         if not path.is_file():
-            found, hint = "no folder or file of that name", "groundslab solve CASE writes such a folder"
-            raise InputError([Issue(str(path), found, "a folder of results, or a ZIP archive of one", hint)])
+            missing, hint = "no folder or file of that name", "groundslab solve CASE writes such a folder"
+            raise InputError([Issue(str(path), missing, "a folder of results, or a ZIP archive of one", hint)])
         with tempfile.TemporaryDirectory(prefix="groundslab-") as folder:
             archive.unpack_results(path, Path(folder))
             return cls._read_folder(Path(folder), path)

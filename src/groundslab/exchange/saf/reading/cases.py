@@ -174,8 +174,8 @@ def _read_state(row: Row, category: str) -> dict[str, Any]:
     for state in get_args(LimitState):
         if description == state or description.startswith(f"{state}, "):
             if category[:3] in _STATES and (category[:3] == "sls") != (state in _SERVICE):
-                found = f"category {describe(category)} and description {describe(description)}"
-                raise RowFault("category", f"{found}, which contradict each other", "one limit state")
+                statements = f"category {describe(category)} and description {describe(description)}"
+                raise RowFault("category", f"{statements}, which contradict each other", "one limit state")
             return {"limit_state": state, "rule": description[len(state) + 2 :]}
     return {"limit_state": _STATES.get(category[:3], "ultimate")}
 

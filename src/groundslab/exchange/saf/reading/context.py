@@ -174,9 +174,9 @@ def text(row: Row, column: str) -> str:
     return cell_text(row.cells.get(column))
 
 
-def word(row: Row, column: str, known: tuple[str, ...] = (), default: str = "") -> str:
+def word(row: Row, column: str, allowed: tuple[str, ...] = (), default: str = "") -> str:
     """Return the word in a column in lower case; raises RowFault for any other than those known."""
     said = " ".join(text(row, column).lower().replace("-", " ").split()) or default
-    if known and said not in known:
-        raise RowFault(column, describe(said) if said else "nothing", listed(list(known)))
+    if allowed and said not in allowed:
+        raise RowFault(column, describe(said) if said else "nothing", listed(list(allowed)))
     return said

@@ -97,16 +97,16 @@ def _join_rows(context: ReadContext, lines: Sequence[tuple[Row, LineSupport]]) -
         joined.append(support)
         for row, _ in left:
             with context.reading(row):
-                found = f"support {describe(support.name)} again, apart from its other rows or unlike them"
-                raise RowFault("", found, "parts that adjoin, as stiff and fixed as each other, or another name")
+                repetition = f"support {describe(support.name)} again, apart from its other rows or unlike them"
+                raise RowFault("", repetition, "parts that adjoin, as stiff and fixed as each other, or another name")
     return joined
 
 
-def _chain(one: LineSupport, other: LineSupport) -> tuple[Place, ...]:
+def _chain(support: LineSupport, other: LineSupport) -> tuple[Place, ...]:
     """Return the points of two parts of a support in order; none if they are unlike or do not adjoin."""
-    if one.replace(points=other.points) != other:
+    if support.replace(points=other.points) != other:
         return ()
-    for first in (one.points, one.points[::-1]):
+    for first in (support.points, support.points[::-1]):
         for second in (other.points, other.points[::-1]):
             if math.dist(first[-1], second[0]) <= CLOSE and not _overlap(first, second):
                 (ax, ay), (bx, by), (cx, cy) = first[-2], first[-1], second[1]

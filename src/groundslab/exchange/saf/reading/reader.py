@@ -169,8 +169,8 @@ def _read_model_sheet(context: ReadContext) -> None:
     """Take axes and units from the sheet Model; raises InputError."""
     rows = context.rows("Model")
     if not rows:
-        found, expected = "no sheet Model", "a file in the Structural Analysis Format"
-        raise InputError([Issue(context.path, found, expected, "its sheet Model states units and axes")])
+        missing_sheet, expected = "no sheet Model", "a file in the Structural Analysis Format"
+        raise InputError([Issue(context.path, missing_sheet, expected, "its sheet Model states units and axes")])
     with context.reading(rows[0]):
         context.imperial = _is_imperial(rows[0])
         if not (version := text(rows[0], "safversion")).startswith(("2.0", "2.1", "2.2")):

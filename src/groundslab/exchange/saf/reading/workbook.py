@@ -79,8 +79,8 @@ def read_sheets(path: str, names: frozenset[str]) -> tuple[dict[str, list[Row]],
     except (InputError, MemoryError):
         raise
     except Exception as error:  # of any kind, as what is damaged may be anything
-        found = f"a damaged workbook ({type(error).__name__}: {str(error)[:100]})"
-        raise InputError([Issue(path, found, _EXPECTED, "open it in Excel and save it again")]) from None
+        damage = f"a damaged workbook ({type(error).__name__}: {str(error)[:100]})"
+        raise InputError([Issue(path, damage, _EXPECTED, "open it in Excel and save it again")]) from None
 
 
 def _sheets_of(book: Any, path: str, names: frozenset[str]) -> tuple[dict[str, list[Row]], dict[str, int]]:
@@ -138,8 +138,8 @@ def _require_limits(path: str, parts: zipfile.ZipFile) -> None:
     infos = parts.infolist()
     content = sum(info.file_size for info in infos)
     if len(infos) > MOST_PARTS or content > LARGEST_CONTENT:
-        found = f"{len(infos):,} parts that unfold to {content:,} bytes"
-        raise InputError([Issue(path, found, f"at most {MOST_PARTS:,} parts and {LARGEST_CONTENT:,} bytes")])
+        excess = f"{len(infos):,} parts that unfold to {content:,} bytes"
+        raise InputError([Issue(path, excess, f"at most {MOST_PARTS:,} parts and {LARGEST_CONTENT:,} bytes")])
     for info in infos:
         if info.filename.lower().endswith((".xml", ".rels")):
             with parts.open(info) as part:
@@ -205,14 +205,14 @@ def find_doubles(path: str, sheets: Mapping[str, Sequence[Row]]) -> Iterator[Iss
             if sheet in UPRIGHT and row is not rows[0]:
                 yield Issue(f"{path}, sheet {sheet}", "two sheets of that name", "one")
             elif other is not row and row.name and sheet not in PARTS:
-                found = f"the name {describe(row.name)} again, as in row {other.number}, {difference(other, row)}"
-                yield Issue(f"{path}, sheet {sheet}, row {row.number}", found, "each name once in a sheet")
+                repetition = f"the name {describe(row.name)} again, as in row {other.number}, {difference(other, row)}"
+                yield Issue(f"{path}, sheet {sheet}, row {row.number}", repetition, "each name once in a sheet")
 
 
-def difference(one: Row, other: Row) -> str:
+def difference(row: Row, other: Row) -> str:
     """Return in words what two rows on one thing say differently."""
-    keys = [key for key in {**one.cells, **other.cells} if key not in ("id", "name")]
-    pairs = [(key, cell_text(one.cells.get(key)), cell_text(other.cells.get(key))) for key in keys]
+    keys = [key for key in {**row.cells, **other.cells} if key not in ("id", "name")]
+    pairs = [(key, cell_text(row.cells.get(key)), cell_text(other.cells.get(key))) for key in keys]
     differ = [f"{key} {describe(a)} and {describe(b)}" for key, a, b in pairs if a != b]
     more = f" and {len(differ) - MOST_LISTED} more" if len(differ) > MOST_LISTED else ""
     return f"with {', '.join(differ[:MOST_LISTED])}{more}" if differ else "with the same values"

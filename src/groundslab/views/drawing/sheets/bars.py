@@ -39,17 +39,17 @@ def draw_bars(
     model: Model, sheet: Sheet, taken: Taken, sets: Sequence[BarSet], listed: Sequence[Position], say: Translator
 ) -> None:
     """Add the bars of a layer to a sheet: those of zones first, whose labels have the least space."""
-    for bar_set in sorted(sets, key=lambda one: one.region.area):
-        own = [one for one in listed if (one.layer, one.zone) == (bar_set.layer, bar_set.zone)]
-        if not own:
+    for bar_set in sorted(sets, key=lambda laid_set: laid_set.region.area):
+        of_set = [bar for bar in listed if (bar.layer, bar.zone) == (bar_set.layer, bar_set.zone)]
+        if not of_set:
             continue
         if bar_set.zone:
             sheet.shapes.extend([scaled(shape, sheet.per_meter, sheet.origin) for shape in _zone(bar_set.region)])
-        above, below = _words(bar_set, own, model.units, say)
-        first, last = own[0].mark, own[-1].mark
+        above, below = _words(bar_set, of_set, model.units, say)
+        first, last = of_set[0].mark, of_set[-1].mark
         marks = f"{first}" if first == last else f"{first}\N{EN DASH}{last}"
         labels = labels_of(f"BARS_{bar_set.layer.upper()}", marks, list(map(say, above)), list(map(say, below)))
-        sheet.shapes.extend(taken.place(list(_candidates(model, sheet, bar_set, own, labels))))
+        sheet.shapes.extend(taken.place(list(_candidates(model, sheet, bar_set, of_set, labels))))
 
 
 def _zone(region: BaseGeometry) -> Iterator[Line]:
@@ -59,16 +59,16 @@ def _zone(region: BaseGeometry) -> Iterator[Line]:
             yield from (Line(BROKEN, np.asarray(ring.coords)[:-1], closed=True) for ring in rings(piece))
 
 
-def _words(bar_set: BarSet, own: Sequence[Position], units: System, say: Translator) -> tuple[list[str], list[str]]:
+def _words(bar_set: BarSet, of_set: Sequence[Position], units: System, say: Translator) -> tuple[list[str], list[str]]:
     """Return what the label of a set says above the bar and below it."""
     unit, per_meter = unit_in("m", units)
-    count = sum(len(one.lengths) for one in own)
+    count = sum(len(bar.lengths) for bar in of_set)
     mesh = f"{bar_set.mesh}: " if bar_set.mesh else ""
-    shortest, longest = (written(find(float(find(one.lengths)) for one in own) * per_meter) for find in (min, max))
+    shortest, longest = (written(find(float(find(bar.lengths)) for bar in of_set) * per_meter) for find in (min, max))
     long = longest if shortest == longest else Message("{low} to {high}", low=shortest, high=longest)
     below: list[str] = [Message("l = {long} {unit}", long=long, unit=unit)]
-    if own[0].lap is not None:
-        below.append(Message("lap {lap:.2f m}", lap=own[0].lap).in_units(units))
+    if of_set[0].lap is not None:
+        below.append(Message("lap {lap:.2f m}", lap=of_set[0].lap).in_units(units))
     if bar_set.zone:
         x0, y0, x1, y1 = bar_set.region.bounds
         sides = " \N{MULTIPLICATION SIGN} ".join(say(written(side * per_meter)) for side in (x1 - x0, y1 - y0))
@@ -77,14 +77,14 @@ def _words(bar_set: BarSet, own: Sequence[Position], units: System, say: Transla
 
 
 def _candidates(
-    model: Model, sheet: Sheet, bar_set: BarSet, own: Sequence[Position], labels: tuple[Label, Label]
+    model: Model, sheet: Sheet, bar_set: BarSet, of_set: Sequence[Position], labels: tuple[Label, Label]
 ) -> Iterator[Candidate]:
     """Yield where a set may be drawn: each bar that may stand for it, with its label and the line across anywhere."""
     axis, layer = bar_set.axis, f"BARS_{bar_set.layer.upper()}"
     for n, part in enumerate(BARS):
         bar = _bar(bar_set, part)
         ends = bar * sheet.per_meter + sheet.origin
-        pieces = _pieces(model, layer, ends, axis, own, sheet.per_meter)
+        pieces = _pieces(model, layer, ends, axis, of_set, sheet.per_meter)
         across = [_across(bar_set, bar[0] + share * (bar[1] - bar[0])) for share in ACROSS]
         lines = [line * sheet.per_meter + sheet.origin for line in across]
         for k, (shown, start) in enumerate(_starts(float(ends[0, axis]), float(ends[1, axis]), labels)):
@@ -95,7 +95,7 @@ def _candidates(
                 *leader,
                 *(part for piece in pieces for part in interrupted(piece, axis, start - half, start + half)),
             )
-            thin = (thin_box(ends), *(thin_box(one.points) for one in leader))
+            thin = (thin_box(ends), *(thin_box(stroke.points) for stroke in leader))
             free = [line for line in lines if not box[axis] - 1.0 < line[0, axis] < box[axis + 2] + 1.0]
             for m, line in enumerate(free):
                 shapes = (*bars, *_extent(layer, line, ends, axis), *put)
@@ -155,19 +155,19 @@ def _across(bar_set: BarSet, place: Array) -> Array:
 
 
 def _pieces(
-    model: Model, layer: str, ends: Array, axis: int, own: Sequence[Position], per_meter: float
+    model: Model, layer: str, ends: Array, axis: int, of_set: Sequence[Position], per_meter: float
 ) -> tuple[Line, ...]:
     """Return a bar between its ends on paper; pieces that lap lie beside each other there."""
-    steel, lap = model.reinforcement, own[0].lap
+    steel, lap = model.reinforcement, of_set[0].lap
     length = float(ends[1, axis] - ends[0, axis]) / per_meter
     if steel is None or steel.detailing is None or lap is None or length <= steel.detailing.bar_length:
         return (Line(layer, ends),)
-    count, each = cut(length, steel.detailing.bar_length, lap)
+    count, piece_length = cut(length, steel.detailing.bar_length, lap)
     pieces = []
     for number in range(count):
         points = np.tile(ends[0], (2, 1))
-        start = number * (each - lap)
-        points[:, axis] += np.array([start, start + each]) * per_meter
+        start = number * (piece_length - lap)
+        points[:, axis] += np.array([start, start + piece_length]) * per_meter
         points[:, 1 - axis] += APART if number % 2 else -APART
         pieces.append(Line(layer, points))
     return tuple(pieces)

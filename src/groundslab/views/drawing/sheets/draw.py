@@ -52,7 +52,7 @@ def draw_sheets(model: Model, links: Sequence[LinkLayout], paper: Paper) -> list
     listed = positions(model)
     wanted = list(_wanted(model, links, listed, say))
     chains = {title: chains_of(model, zones) for title, zones, _, _ in wanted}
-    scales = [choose_scale(paper, model.bounds, partial(margins_of, model, each)) for each in chains.values()]
+    scales = [choose_scale(paper, model.bounds, partial(margins_of, model, chain)) for chain in chains.values()]
     coarsest = max(scale for scale, _ in scales)
     table = in_units(bending_schedule(model, links), model.units)
     sheets = []
@@ -77,16 +77,16 @@ def _wanted(
     """Yield the title of each sheet, the zones that it dimensions, the marks on it, and what draws it."""
     sets = bar_sets(model)
     for layer in FACES:
-        own = [one for one in sets if one.layer == layer]
-        there = [one for one in listed if one.layer == layer]
-        if there:
-            zones = [one.region for one in own if one.zone]
-            draw = partial(draw_bars, model, sets=own, listed=there, say=say)
-            yield TITLES[layer], zones, [f"{one.mark}" for one in there], draw
+        laid = [bar_set for bar_set in sets if bar_set.layer == layer]
+        bars = [bar for bar in listed if bar.layer == layer]
+        if bars:
+            zones = [bar_set.region for bar_set in laid if bar_set.zone]
+            draw = partial(draw_bars, model, sets=laid, listed=bars, say=say)
+            yield TITLES[layer], zones, [f"{bar.mark}" for bar in bars], draw
     for layer in ("edges_x", "edges_y"):
-        there = [one for one in listed if one.layer == layer]
-        if there:
-            yield TITLES[layer], [], [f"{one.mark}" for one in there], partial(draw_edges, model, listed=there, say=say)
+        bars = [bar for bar in listed if bar.layer == layer]
+        if bars:
+            yield TITLES[layer], [], [f"{bar.mark}" for bar in bars], partial(draw_edges, model, listed=bars, say=say)
     marks = [f"{mark}" for mark in (*marked_links(links, listed), *marked_further_links(model, links, listed))]
     if marks:
         yield TITLES["links"], [], marks, partial(draw_links, model, links=links, listed=listed, say=say)

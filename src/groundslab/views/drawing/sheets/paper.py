@@ -81,6 +81,6 @@ def choose_scale(
             x = left + around.left + spare_x / 2 - x0 * per_meter
             y = low + around.below + spare_y / 2 - y0 * per_meter
             return scale, (x, y)
-    found = f"a slab of {x1 - x0:.4g} m by {y1 - y0:.4g} m"
+    slab_size = f"a slab of {x1 - x0:.4g} m by {y1 - y0:.4g} m"
     expected = f"one that fits on {paper.upper()} at 1:{SCALES[-1]}"
-    raise InputError([Issue("paper", found, expected, "choose larger paper, or draw it without a size of paper")])
+    raise InputError([Issue("paper", slab_size, expected, "choose larger paper, or draw it without a size of paper")])

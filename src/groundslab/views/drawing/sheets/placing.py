@@ -53,8 +53,8 @@ class Taken:
 
     def place(self, candidates: Sequence[Candidate]) -> tuple[Shape, ...]:
         """Return the shapes of the candidate that costs least, which takes its place; of equal ones the first."""
-        fixed = {label: self._cost_of(label) for label in dict.fromkeys(one.label for one in candidates)}
-        best = min(candidates, key=lambda one: one.cost + fixed[one.label] + self._crossed(one))
+        fixed = {label: self._cost_of(label) for label in dict.fromkeys(candidate.label for candidate in candidates)}
+        best = min(candidates, key=lambda candidate: candidate.cost + fixed[candidate.label] + self._crossed(candidate))
         self.labels.append(best.label)
         self.lines += best.lines
         return best.shapes
@@ -69,9 +69,9 @@ class Taken:
         cost += OVER_BARS * _met(self.lines, label)
         return cost + OVER_PLAN * float(self.plan.intersection(box(*label)).length)
 
-    def _crossed(self, one: Candidate) -> float:
+    def _crossed(self, candidate: Candidate) -> float:
         """Return what it costs that the lines of a candidate cross labels."""
-        return THROUGH_LABEL * sum(_met(self.labels, line) for line in one.lines)
+        return THROUGH_LABEL * sum(_met(self.labels, line) for line in candidate.lines)
 
 
 def _covered(boxes: Sequence[Box], other: Box) -> float:
@@ -103,8 +103,8 @@ def width_of(words: str, height: float) -> float:
 @cache
 def _width(words: str) -> float:
     """Return the width of a text over the height of its capitals."""
-    font, known = _font(), _font().get_charmap()
-    font.set_text("".join(letter if ord(letter) in known else WIDEST for letter in words))
+    font, glyphs = _font(), _font().get_charmap()
+    font.set_text("".join(letter if ord(letter) in glyphs else WIDEST for letter in words))
     return float(font.get_width_height()[0]) / 64 / (SIZE * CAPITALS)
 
 

@@ -64,8 +64,8 @@ class SoilColumn:
     @property
     def depth(self) -> float | None:
         """Return the depth of the base, or of what is drawn [m], None if it is not known."""
-        known = [layer.thickness for layer in self.layers if layer.thickness is not None]
-        return sum(known) if len(known) == len(self.layers) else None
+        thicknesses = [layer.thickness for layer in self.layers if layer.thickness is not None]
+        return sum(thicknesses) if len(thicknesses) == len(self.layers) else None
 
 
 def soil_columns(model: Model, combinations: Sequence[PlottedCombination]) -> list[SoilColumn]:
@@ -73,10 +73,10 @@ def soil_columns(model: Model, combinations: Sequence[PlottedCombination]) -> li
     kinds: list[AnyGround] = [model.ground, *(zone.ground for zone in model.soil_zones)]
     if model.boreholes:
         kinds = [model.ground] * len(model.boreholes)
-    given = [hole.layers for hole in model.boreholes] or [getattr(ground, "layers", ()) for ground in kinds]
+    stacks = [hole.layers for hole in model.boreholes] or [getattr(ground, "layers", ()) for ground in kinds]
     profiles = zip(*(profiles_of(combination.results) for combination in combinations), strict=True)
     columns = []
-    for ground, layers, by_combination in zip(kinds, given, profiles, strict=True):
+    for ground, layers, by_combination in zip(kinds, stacks, profiles, strict=True):
         constants = tuple(
             replace(profile, name=combination.name)
             for combination, profile in zip(combinations, by_combination, strict=True)

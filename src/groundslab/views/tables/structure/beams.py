@@ -56,9 +56,9 @@ def beam_table(combined: Results) -> Table:
     axial = [
         [beam.axial.max() / 1e3, beam.axial.min() / 1e3]
         for results in solved_results(combined)
-        for beam in (each.between_ends(0.0) for each in member_forces(results))
+        for beam in (forces.between_ends(0.0) for forces in member_forces(results))
     ]
-    rows = [[*row, *own] for row, own in zip(rows, axial, strict=True)]
+    rows = [[*row, *extremes] for row, extremes in zip(rows, axial, strict=True)]
     return table_of("beams", "Beams", (*_HEADS, *_OF_AXIAL), rows, (*notes, _NOTE_ON_AXIAL))
 
 

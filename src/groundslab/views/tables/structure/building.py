@@ -38,11 +38,11 @@ def building_table(combined: Results) -> Table:
     rows: list[list[Cell]] = []
     for results in solved_results(combined):
         for base in results.bases:
-            given = _on_rigid_base(combined.model, base.name, results)
+            on_rigid = _on_rigid_base(combined.model, base.name, results)
             change = float(base.force.sum())
-            row: list[Cell] = [results.combination, base.name, given / 1e3, (given + change) / 1e3, change / 1e3]
-            row += [100 * change / given if given else None, base.moment_x.sum() / 1e3, base.moment_y.sum() / 1e3]
-            rows.append([*row, *(1e3 * each.sum() for each in (base.settlement, base.slope_x, base.slope_y))])
+            row: list[Cell] = [results.combination, base.name, on_rigid / 1e3, (on_rigid + change) / 1e3, change / 1e3]
+            row += [100 * change / on_rigid if on_rigid else None, base.moment_x.sum() / 1e3, base.moment_y.sum() / 1e3]
+            rows.append([*row, *(1e3 * motion.sum() for motion in (base.settlement, base.slope_x, base.slope_y))])
     return table_of("building", "Building above", _HEADS, rows, _NOTES)
 
 
@@ -59,8 +59,8 @@ def storey_table(combined: Results) -> Table:
     rows: list[list[Cell]] = []
     for results in solved_results(combined):
         changes = np.concatenate([base.by_storeys for base in results.bases])
-        for base, own in zip(results.bases, changes, strict=True):
-            rows.append([results.combination, base.name, *(own / 1e3), storeys_that_matter(changes)])
+        for base, change in zip(results.bases, changes, strict=True):
+            rows.append([results.combination, base.name, *(change / 1e3), storeys_that_matter(changes)])
     return table_of("storeys", "Storeys of the building above", heads, rows, _STOREYS)
 
 

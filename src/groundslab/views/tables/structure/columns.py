@@ -64,9 +64,9 @@ def column_envelope(combined: Results, columns: Table) -> Table:
     The errors of extremes are those that their values have in the table of columns.
     """
     states = {combination.name: combination.limit_state for combination in combined.combinations}
-    known = {column.name: column.values for column in columns.columns}
+    by_name = {column.name: column.values for column in columns.columns}
     of_punching = [(name, unit, 1, False) for name, unit in extremes_of_punching(combined)]
-    wanted = [row for row in (*_EXTREMES, *of_punching) if row[0] in known]
+    wanted = [row for row in (*_EXTREMES, *of_punching) if row[0] in by_name]
     sources, errors = _sources(wanted, columns)
     groups = {"ultimate": STRENGTH, "serviceability": SERVICEABILITY}
     rows = []
@@ -78,9 +78,9 @@ def column_envelope(combined: Results, columns: Table) -> Table:
                 if name == column.name and states[str(combination)] in members
             ]
             if at:
-                governing = [_extreme(known[quantity], at, sign) for quantity, _, sign, _ in wanted]
-                found = [(governing[number], source) for number, _, source in (*sources, *errors)]
-                rows.append([column.name, name, *(None if i is None else known[source][i] for i, source in found)])
+                governing = [_extreme(by_name[quantity], at, sign) for quantity, _, sign, _ in wanted]
+                picked = [(governing[number], source) for number, _, source in (*sources, *errors)]
+                rows.append([column.name, name, *(None if i is None else by_name[source][i] for i, source in picked)])
     heads = [("column", ""), ("limit states", ""), *(head for _, head, _ in (*sources, *errors))]
     notes = ["Extremes of the table columns, over the combinations of each kind of limit state."]
     table = table_of("column_envelope", "Columns: extremes", heads, rows, notes)
@@ -109,8 +109,8 @@ def _sources(wanted: list[tuple[str, str, int, bool]], columns: Table) -> tuple[
 
 def _extreme(values: tuple[Cell, ...], at: list[int], sign: int) -> int | None:
     """Return the row with the extreme of a quantity's values among some rows, None if there is none."""
-    known = [(sign * value, i) for i in at if isinstance(value := values[i], float)]
-    return max(known, key=lambda entry: entry[0])[1] if known else None
+    signed = [(sign * value, i) for i in at if isinstance(value := values[i], float)]
+    return max(signed, key=lambda entry: entry[0])[1] if signed else None
 
 
 def _neighbors(plate: PlateResult, columns: tuple[Column, ...]) -> Callable[[Column], list[Cell]]:

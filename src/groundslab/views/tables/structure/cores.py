@@ -53,15 +53,15 @@ def core_load_table(combined: Results) -> Table:
     for case in [case.name for case in model.cases] or [""]:
         for core, section in _sections(combined):
             loads = [load for load in model.loads if isinstance(load, CoreLoad)]
-            own = [load.acts_on(section) for load in loads if (load.core, load.case) == (core.name, case)]
+            acting = [load.acts_on(section) for load in loads if (load.core, load.case) == (core.name, case)]
             total, size = np.zeros(3), np.zeros(3)
-            for lines in zip(*own, strict=True):
+            for lines in zip(*acting, strict=True):
                 q = np.sum([line.q for line in lines], axis=0)
                 sums = _resultant(lines[0], q, section)
                 total, size = total + sums, size + np.abs(sums)
                 where = lines[0].wall, lines[0].start, lines[0].start + lines[0].length
                 rows.append([case, core.name, *where, *(q / 1e3), *(sums / 1e3)])
-            if own:
+            if acting:
                 total[np.abs(total) < ROUNDING * size] = 0.0
                 rows.append([case, core.name, ALL_WALLS, None, None, None, None, *(total / 1e3)])
     return table_of("core_loads", "Loads of cores", _LOADS, rows, _LOAD_NOTES)

@@ -69,7 +69,7 @@ def wall_reinforcement(combined: Results, steel: Reinforcement) -> Table:
 
 def _of_least(need: WallNeed) -> list[Cell]:
     """Return the least bars upright and level [cm2/m], if they are known."""
-    return [None if each is None else each * 1e4 for each in (need.upright, need.level)]
+    return [None if area is None else area * 1e4 for area in (need.upright, need.level)]
 
 
 _LIMITS = (
@@ -91,8 +91,8 @@ def wall_limit_table(combined: Results) -> Table:
         for name in next(iter(limits.values()), {}):
             about, values = PLATE_FIELDS[name], getattr(results.plate, name)
             of_each = [limits.get(0.0, {}).get(name), [values.min(), values.max()], limits.get(1.0, {}).get(name)]
-            ends: list[Cell] = [None if each is None else float(each[k] * about.scale) for k in (0, 1)
-                                for each in of_each]  # fmt: skip
+            ends: list[Cell] = [None if bounds is None else float(bounds[k] * about.scale) for k in (0, 1)
+                                for bounds in of_each]  # fmt: skip
             rows.append([results.combination, about.label, about.unit, *ends])
     values = tuple(name for name, _ in _LIMITS[3:])
     return table_of("wall_limits", "Limits of walls", _LIMITS, rows, _LIMIT_NOTES, values)

@@ -25,13 +25,13 @@ ALONG = 1e-6
 COLUMNS, WALLS = "ResultInternalForce1D", "ResultInternalForce2DEdge"
 
 
-def read_forces(context: ReadContext, slab: Slab, cases: Mapping[str, Kind], found: Loads) -> None:
+def read_forces(context: ReadContext, slab: Slab, cases: Mapping[str, Kind], loads: Loads) -> None:
     """Add the forces at the feet of columns, and normal forces at those of walls, as loads of their cases.
 
     ``cases`` are the kinds of load cases by their names.
     """
-    _read_columns(context, slab, cases, found)
-    _read_walls(context, slab, cases, found)
+    _read_columns(context, slab, cases, loads)
+    _read_walls(context, slab, cases, loads)
     standing = len(slab.columns) + len(slab.walls)
     if standing and not context.rows(COLUMNS) and not context.rows(WALLS):
         why = f"not in the file: loads are those of the slab itself, without what its {standing} columns and walls bear"
@@ -57,8 +57,8 @@ def _of_cases(
             rows[member, case].append(row)
             place = (member, case, *(text(row, column) for column in ("edge", "sectionat", "index")))
             if (other := places.setdefault(place, row)).cells != row.cells:
-                found = f"{member} in {case} again, as in row {other.number}, {difference(other, row)}"
-                context.add(Issue(context.where(row), found, "each section once"))
+                repetition = f"{member} in {case} again, as in row {other.number}, {difference(other, row)}"
+                context.add(Issue(context.where(row), repetition, "each section once"))
     for why, count in left.items():
         context.note(None, f"{count:,} rows {why}, not read", sheet)
     return rows

@@ -56,11 +56,11 @@ def _make_point_load(case: str, place: Place, values: dict[str, Any], columns: d
 
 
 def add_at_point(
-    found: Loads, case: str, place: Place, name: str, columns: Sequence[str] = (), **values: float
+    loads: Loads, case: str, place: Place, name: str, columns: Sequence[str] = (), **values: float
 ) -> None:
     """Add force or moments at a place to those of the same case there, which keep the name of the first."""
     nothing = {"P": 0.0, "M_x": 0.0, "M_y": 0.0, "name": name, "columns": set()}
-    at_place = found.points.setdefault((case, place), nothing)
+    at_place = loads.points.setdefault((case, place), nothing)
     at_place["columns"] |= set(columns)
     for key, value in values.items():
         at_place[key] += value
@@ -103,20 +103,20 @@ def line_values(context: ReadContext, row: Row, local: Axes) -> tuple[Vector, Ve
     return start, read_vector(context, row, "line force", local, "2") if trapez else start
 
 
-def add_line(found: Loads, row: Row, path: Path, start: Vector, end: Vector, slab: Slab, wall: str = "") -> None:
+def add_line(loads: Loads, row: Row, path: Path, start: Vector, end: Vector, slab: Slab, wall: str = "") -> None:
     """Add a line load, and its horizontal part on the slab to its case."""
     points, bulges = path
     case = text(row, "loadcase")
     length, way = _on_slab(slab, path)
     x, y = (length * (start[axis] + way * (end[axis] - start[axis])) for axis in (0, 1))
-    found.push(case, x, y)
+    loads.push(case, x, y)
     if not start[2] and not end[2]:
         return
     varies = {"q_end": -end[2]} if end[2] != start[2] else {}
     where: dict[str, Any] = {"wall": wall} if wall else {"points": points, "bulges": bulges}
     if not wall and not varies and (circle := to_circle(points, bulges)) is not None:
         where = {"shape": circle}
-    found.loads.append(LineLoad(name=row.name, case=case, q=-start[2], **varies, **where))
+    loads.loads.append(LineLoad(name=row.name, case=case, q=-start[2], **varies, **where))
 
 
 def _on_slab(slab: Slab, path: Path) -> tuple[float, float]:

@@ -47,7 +47,7 @@ def _free_edges(context: ReadContext, row: Row, closed: bool) -> tuple[tuple[Edg
     return edges, [place[:2] for place in places]
 
 
-def read_free_curve_action(context: ReadContext, row: Row, slab: Slab, found: Loads) -> None:
+def read_free_curve_action(context: ReadContext, row: Row, slab: Slab, loads: Loads) -> None:
     """Add a free force along a line in the slab's plane."""
     edges, _ = _free_edges(context, row, closed=False)
     if not all(edge.level(slab.height) for edge in edges):
@@ -57,11 +57,11 @@ def read_free_curve_action(context: ReadContext, row: Row, slab: Slab, found: Lo
         context.leave(row, "it acts elsewhere in the building")
         return
     start, end = line_values(context, row, slab_axes(context, slab))
-    add_line(found, row, join(edges), start, end, slab)
+    add_line(loads, row, join(edges), start, end, slab)
     context.take(row, words_of("line load", *(a if a else b for a, b in zip(start, end, strict=True))))
 
 
-def read_free_surface_action(context: ReadContext, row: Row, slab: Slab, found: Loads) -> None:
+def read_free_surface_action(context: ReadContext, row: Row, slab: Slab, loads: Loads) -> None:
     """Add a free pressure on a part of the plan, constant or linear, if it acts on the slab."""
     edges, corners = _free_edges(context, row, closed=True)
     height = edges[0].places[0][2]
@@ -83,10 +83,10 @@ def read_free_surface_action(context: ReadContext, row: Row, slab: Slab, found: 
     case, down = text(row, "loadcase"), -unit[2]
     # the mean of a linear pressure is that at the centroid
     mean = q + gx * (part.centroid.x - about[0]) + gy * (part.centroid.y - about[1])
-    found.push(case, mean * unit[0] * part.area, mean * unit[1] * part.area)
+    loads.push(case, mean * unit[0] * part.area, mean * unit[1] * part.area)
     if down:
         varies = {"slope": (gx * down + 0.0, gy * down + 0.0), "about": about} if gx or gy else {}
-        found.loads.append(AreaLoad(name=row.name, case=case, q=q * down + 0.0, shape=to_shape(edges), **varies))
+        loads.loads.append(AreaLoad(name=row.name, case=case, q=q * down + 0.0, shape=to_shape(edges), **varies))
     context.take(row, words_of("area load", q * unit[0], q * unit[1], unit[2]))
 
 
