@@ -126,10 +126,10 @@ def _bar_set(bar_set: BarSet, place: tuple[float, float], h: float, label: str) 
         return
     layer = f"BARS_{bar_set.layer.upper()}"
     axis = bar_set.axis
-    bar = _shown_bar(bar_set, place[0])
+    bar = shown_bar(bar_set, place[0])
     yield Line(layer, bar)
     crossing = bar[0] + place[1] * (bar[1] - bar[0])
-    across = _across(bar_set, crossing)
+    across = line_across(bar_set, crossing)
     yield Line(layer, across)
     yield Circle(layer, (float(crossing[0]), float(crossing[1])), 0.3 * h)
     slash = 0.5 * h * np.array([1.0, 1.0])
@@ -186,7 +186,7 @@ def _edge_bars(model: Model, position: Position, h: float) -> Iterator[Shape]:
             )
 
 
-def _shown_bar(bar_set: BarSet, part: float) -> Array:
+def shown_bar(bar_set: BarSet, part: float) -> Array:
     """Return the ends (2, 2) of the bar of a set that is drawn: of the long ones that nearest to a part of all."""
     across = bar_set.ends[:, 0, 1 - bar_set.axis]
     long = np.flatnonzero(bar_set.lengths >= LONG * bar_set.lengths.max())
@@ -194,7 +194,7 @@ def _shown_bar(bar_set: BarSet, part: float) -> Array:
     return np.asarray(bar_set.ends[long[np.argmin(np.abs(across[long] - wanted))]])
 
 
-def _across(bar_set: BarSet, place: Array) -> Array:
+def line_across(bar_set: BarSet, place: Array) -> Array:
     """Return the ends (2, 2) of the line across the bars through a place, from the first to the last bar there."""
     axis = bar_set.axis
     meets = (bar_set.ends[:, 0, axis] <= place[axis]) & (bar_set.ends[:, 1, axis] >= place[axis])

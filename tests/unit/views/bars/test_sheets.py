@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import groundslab
-from groundslab.cli import main
+from groundslab.cli import main, plot
 from groundslab.design.bars.positions import positions
 from groundslab.design.rules.punching_links.layout import LinkLayout, LinkPerimeter
 from groundslab.errors import InputError
@@ -19,7 +19,7 @@ from groundslab.results.results import Results
 from groundslab.views.drawing.shapes import Circle, Line, Text
 from groundslab.views.drawing.sheets.dimensions import chain, levels_of, points_of, written
 from groundslab.views.drawing.sheets.draw import LAYERS, TITLES, draw_sheets
-from groundslab.views.drawing.sheets.paper import Margins, Sheet, choose_scale
+from groundslab.views.drawing.sheets.paper import PAPERS, Margins, Sheet, choose_scale
 from groundslab.views.drawing.sheets.placing import box_of
 from groundslab.views.files import results_folder
 from helpers import synthetic
@@ -229,7 +229,8 @@ def test_hostile_names_are_shown(tmp_path: Path) -> None:
 
 
 def test_command(tmp_path: Path) -> None:
-    """RESULTS-bars-a2.pdf beside the folder, or the file that --out names."""
+    """RESULTS-bars-a2.pdf beside the folder, or the file that --out names; the command knows all sizes."""
+    assert plot.PAPERS == PAPERS
     of = slab(zones=[], detailing=None)
     of = of.replace(combinations=of.combinations[:1])
     each = synthetic.results(model=of, combination="ULS", limit_state="ultimate", factors=(("G", 1.35),))

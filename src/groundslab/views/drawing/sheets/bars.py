@@ -14,7 +14,7 @@ from groundslab.languages import Translator
 from groundslab.messages import Message, Name
 from groundslab.model.model import Model
 from groundslab.unit_systems import System, bars_at, unit_in
-from groundslab.views.drawing.bars import BROKEN, LONG
+from groundslab.views.drawing.bars import BROKEN, line_across, shown_bar
 from groundslab.views.drawing.shapes import Circle, Line, Shape, moved, rings, scaled
 from groundslab.views.drawing.sheets.dimensions import written
 from groundslab.views.drawing.sheets.marks import MARGIN, Label, interrupted, labels_of
@@ -82,10 +82,10 @@ def _candidates(
     """Yield where a set may be drawn: each bar that may stand for it, with its label and the line across anywhere."""
     axis, layer = bar_set.axis, f"BARS_{bar_set.layer.upper()}"
     for n, part in enumerate(BARS):
-        bar = _bar(bar_set, part)
+        bar = shown_bar(bar_set, part)
         ends = bar * sheet.per_meter + sheet.origin
         pieces = _pieces(model, layer, ends, axis, of_set, sheet.per_meter)
-        across = [_across(bar_set, bar[0] + share * (bar[1] - bar[0])) for share in ACROSS]
+        across = [line_across(bar_set, bar[0] + share * (bar[1] - bar[0])) for share in ACROSS]
         lines = [line * sheet.per_meter + sheet.origin for line in across]
         for k, (shown, start) in enumerate(_starts(float(ends[0, axis]), float(ends[1, axis]), labels)):
             put, box = put_label(shown, axis, start, float(ends[0, 1 - axis]))
@@ -134,24 +134,6 @@ def _leader(ends: Array, axis: int, low: float, high: float) -> tuple[Line, ...]
             points[:, axis] = first, last
             return (Line("LABELS", points),)
     return ()
-
-
-def _bar(bar_set: BarSet, part: float) -> Array:
-    """Return the ends (2, 2) of one of the long bars of a set, so far across [m]."""
-    across = bar_set.ends[:, 0, 1 - bar_set.axis]
-    long = np.flatnonzero(bar_set.lengths >= LONG * bar_set.lengths.max())
-    wanted = across.min() + part * np.ptp(across)
-    return np.asarray(bar_set.ends[long[np.argmin(np.abs(across[long] - wanted))]])
-
-
-def _across(bar_set: BarSet, place: Array) -> Array:
-    """Return the ends (2, 2) of the line across the bars through a place, from the first to the last bar there [m]."""
-    axis = bar_set.axis
-    meets = (bar_set.ends[:, 0, axis] <= place[axis]) & (bar_set.ends[:, 1, axis] >= place[axis])
-    across = bar_set.ends[meets, 0, 1 - axis]
-    ends = np.tile(place, (2, 1))
-    ends[:, 1 - axis] = across.min(), across.max()
-    return ends
 
 
 def _pieces(

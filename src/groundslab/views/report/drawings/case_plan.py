@@ -94,7 +94,7 @@ def describe_omissions(model: Model) -> tuple[str, ...]:
     plan = plan_of(model)
     labels = "L and a number: the load of that number in the case; loads on columns and walls have no label."
     notes = [f"Dimensions in {'meters' if model.units == 'SI' else 'feet'}.", labels]
-    if model.columns or plan["walls"]:
+    if 0 < len(model.columns) <= MOST_SIZES or plan["walls"]:
         small = "millimeters" if model.units == "SI" else "inches"
         notes.append(f"After the name of a column or wall come its sides or its thickness in {small}.")
     everywhere = [

@@ -414,11 +414,12 @@ def _changed(results: CombinationResult, site: _Site, thicker: float, wider: flo
     column = punching.column.model_copy(update=sides)
     other = _InThickerSlab(column, punching.by_case, punching.support, punching.pulls, thicker)
     changed_site = _site(results, other, site.steel, () if site.zone is None else (site.zone,))
+    demand = None
     if materials(site.steel)[0].annex.face:
-        # links are limited at the face and on the outermost perimeter alone
+        # where the face has a limit, links have one on the outermost perimeter alone
         distances, _ = _first_distances(changed_site)
         demand = _demand(results, changed_site, changed_site.control(results, 0.0), distances[-1:])
-    else:
+    if demand is None or demand.face is None:
         (demand,), _ = _largest([results], changed_site)
     return demand if demand.around else None
 
