@@ -107,8 +107,13 @@ def cut(length: float, stock: float, lap: float) -> tuple[int, float]:
 
 def largest_thickness(model: Model) -> float:
     """Return the largest thickness of all plates and their zones [m]."""
-    zones = [zone.thickness for plate in model.every_plate for zone in plate.zones if zone.thickness is not None]
-    return max([*(plate.thickness for plate in model.every_plate), *zones])
+    return max(thicknesses(model))
+
+
+def thicknesses(model: Model) -> set[float]:
+    """Return the thicknesses of all plates and their zones [m]."""
+    zones = {zone.thickness for plate in model.every_plate for zone in plate.zones if zone.thickness is not None}
+    return zones | {plate.thickness for plate in model.every_plate}
 
 
 def edge_thickness(model: Model) -> float:

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from groundslab.design.bars.placed import placed_bars
-from groundslab.design.bars.positions import positions
+from groundslab.design.bars.positions import U_SHAPE, positions, thicknesses
 from groundslab.design.bars.proposal.links import punching_links
 from groundslab.design.rules.punching_links.layout import LinkLayout
 from groundslab.errors import InputError, Issue
@@ -25,6 +25,7 @@ from groundslab.views.drawing.sheets.draw import draw_sheets, in_one_drawing
 from groundslab.views.drawing.sheets.paper import PAPERS, Paper, Sheet
 from groundslab.views.files import xlsx
 from groundslab.views.plots import export
+from groundslab.views.tables.bending_schedule import NO_DETAILING
 
 #: What the names of files end with: of records of BVBS, of bending schedules as text and as workbooks.
 RECORDS, TEXT, WORKBOOK = ".abs", ".csv", ".xlsx"
@@ -111,19 +112,26 @@ def _write_list(model: Model, links: Sequence[LinkLayout], path: str | Path, tar
     if target.suffix.lower() == WORKBOOK:
         return xlsx.write_tables([schedule], model.title, path)
     content = schedule.csv().encode() if target.suffix.lower() == TEXT else to_bvbs(model, links).encode("ascii")
+    if not content:
+        raise InputError([Issue("reinforcement", "no bars that are bent, studs alone", "bars, which are cut and bent")])
     export.write_file(path, target, content)
     return Path(path)
 
 
 def left_out(of: Model | Results | CombinationResult, path: str | Path) -> list[str]:
-    """Return what of the bars a schedule, or a file of records, does not have, in words."""
+    """Return what of the bars a schedule, records or a building model do not have, or not as it is, in words."""
     model = of if isinstance(of, Model) else of.model
     ending = Path(path).suffix.lower()
     steel = model.reinforcement
     if steel is None or ending not in (RECORDS, TEXT, WORKBOOK, BUILDING):
         return []
     left = []
-    if any(position.mesh for position in positions(model)):
+    listed = positions(model)
+    if steel.laid and steel.detailing is None:
+        left.append(NO_DETAILING)
+    if any(position.shape == U_SHAPE for position in listed) and len(thicknesses(model)) > 1:
+        left.append("bars around edges are all as high as the thickest slab at an edge")
+    if any(position.mesh for position in listed):
         left.append("welded meshes are not in it: how they are cut into sheets is not known here")
     if ending == RECORDS and any(links.kind == "studs" for links in steel.links):
         left.append("studs are not in it: they are not bent")
@@ -139,7 +147,9 @@ def _write_building(model: Model, links: Sequence[LinkLayout], path: str | Path,
     from groundslab.views.bars.ifc import to_bytes
 
     if not (placed := placed_bars(model, links)):
-        raise InputError([Issue("reinforcement", "welded meshes alone", "bars, which lie one by one")])
+        raise InputError(
+            [Issue("reinforcement", "no bars that lie one by one", "bars in layers, or links against punching")]
+        )
     export.write_file(path, target, to_bytes(model, placed))
     return Path(path)
 

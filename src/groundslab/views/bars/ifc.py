@@ -72,6 +72,8 @@ class _Writer:
         self.create = self.file.create_entity
         self.compress = import_optional("ifcopenshell.guid", "which writes building models", "ifc").compress
         self.steel = model.reinforcement
+        about = () if model.project is None else (model.project.number, model.project.name, model.project.part)
+        self.namespace = uuid.uuid5(NAMESPACE, "|".join((*about, model.title)))
         self.representations: dict[tuple[Any, ...], Any] = {}
         origin = self.create("IfcCartesianPoint", (0.0, 0.0, 0.0))
         self.world = self.create("IfcAxis2Placement3D", origin)
@@ -99,8 +101,8 @@ class _Writer:
         self.storey = above
 
     def identifier(self, name: str) -> str:
-        """Return the identifier of something by its name."""
-        guid: str = self.compress(uuid.uuid5(NAMESPACE, name).hex)
+        """Return the identifier of something by its name, another one in each project."""
+        guid: str = self.compress(uuid.uuid5(self.namespace, name).hex)
         return guid
 
     def placement(self, place: Sequence[float] = (0.0, 0.0, 0.0)) -> Any:

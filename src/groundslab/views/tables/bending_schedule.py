@@ -14,6 +14,8 @@ from groundslab.views.tables.table import Cell, Head, Table, table_of
 
 NAME, TITLE = "bending_schedule", "Bending schedule"
 MM = 1e3
+#: What bars are where a case says nothing of laps and edges.
+NO_DETAILING = "Without reinforcement.detailing there are no laps in it, no bars around edges, and bars end at edges."
 #: What rows of sums say where others have a layer.
 SUM = "all bars"
 HEADS: tuple[Head, ...] = (
@@ -77,7 +79,7 @@ def _notes(model: Model, listed: Sequence[BentBar]) -> Iterator[str]:
     else:
         yield Message("Mandrels are the least ones ({clauses}).", clauses=Clause(detailing.bends.clauses))
     if steel.detailing is None:
-        yield "Without reinforcement.detailing there are no laps in it, no bars around edges, and bars end at edges."
+        yield NO_DETAILING
     if mass := sum(position.mass for position in positions(model) if position.mesh):
         yield Message(
             "Welded meshes are delivered as sheets and are not in it: their wires, {mass:.5g kg}, are in the table "

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from pathlib import Path
 from typing import Any
 
@@ -19,6 +20,7 @@ from groundslab.model.model import Model
 from groundslab.model.plate import Zone
 from groundslab.views.bars import left_out
 from groundslab.views.bars.ifc import axis_points, to_bytes
+from groundslab.views.tables.bending_schedule import NO_DETAILING
 from helpers.laid_slab import model_of
 from helpers.linked_slab import LINKS
 from helpers.linked_slab import model as linked
@@ -144,9 +146,21 @@ def test_same_bytes_and_no_file_of_others(tmp_path: Path) -> None:
     path = groundslab.write_bars(model_of(**FEW), tmp_path / "bars.ifc")
     content = path.read_bytes()
     assert groundslab.write_bars(model_of(**FEW), path).read_bytes() == content
+    titled = groundslab.write_bars(model_of(**FEW).replace(title="another raft"), tmp_path / "other.ifc").read_text()
+    identifiers = re.compile(r"=IFC\w+\('([^']{22})'")
+    assert not set(identifiers.findall(titled)) & set(identifiers.findall(content.decode()))
+    assert len(identifiers.findall(titled)) > 10
     path.write_bytes(content.replace(b"groundslab bars", b"another program"))
     with pytest.raises(InputError, match="did not write"):
         groundslab.write_bars(model_of(**FEW), path)
     several: Model = linked(**LINKS)
     assert any("one-way shear" in words for words in left_out(several, "bars.ifc"))
-    assert left_out(model_of(), "bars.ifc") == []
+    assert left_out(model_of(), "bars.ifc") == [NO_DETAILING]
+
+
+def test_bars_around_thinner_edges_are_told() -> None:
+    """They are as high as the thickest slab at an edge: that is said, of a slab of one thickness it is not."""
+    even = model_of(detailing={})
+    corner = Zone(shape={"kind": "rectangle", "x": [-4.8, -2.8], "y": [-3.6, -1.6]}, thickness=0.5)
+    assert left_out(even, "bars.ifc") == []
+    assert len(left_out(even.replace(plate=even.plate.replace(zones=[corner])), "bars.ifc")) == 1
