@@ -24,7 +24,7 @@ ANALYSIS = {
     "q_x", "q_y", "m_x", "m_y", "m_xy", "m", "N_Ed", "N_u", "p_m", "A_i", "M_c,1", "M_c,2", "e_o,1", "e_o,2", "e_p,1",
     "e_p,2", "p_m,0", "A_i,0", "p_m,l", "A_i,l", "h_i", "h_i,0", "h_i,l", "theta_1", "v_m", "a_p", "v_l", "V", "A_req",
     "beta_s", "beta_e_s",
-    "u_l", "u_i", "a_l", "a_i", "w", "w_1", "w_2", "p", "f", "e", "S_xx", "S_yy", "S_xy", "S_xw", "S_yw", "M_b", "m_a",
+    "u_l", "u_i", "a_l", "a_i", "w", "w_1", "w_2", "p", "f", "e", "S_xx", "S_yy", "S_xy", "S_xw", "S_yw", "m_a",
     "m_b", "b", "A_l",
 }  # fmt: skip
 #: What the case says: sizes, bars, places and limits.

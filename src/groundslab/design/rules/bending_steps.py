@@ -49,10 +49,8 @@ def _moment(need: BarsNeeded) -> Iterator[Step]:
         yield Step("design moment per width, by Wood", "m", m, "MNm/m")
         return
     if origin.width is not None:
-        words = "design moments by Wood along a line across the bars, their integral"
-        yield Step(words, "M_b", m * origin.width, "MNm")
         yield Step("length of the line", "b", origin.width, "m")
-        yield Step("design moment per width, its mean", "m", m, "MNm/m", "M_b / b")
+        yield Step("design moments by Wood along a line across the bars, their mean", "m", m, "MNm/m")
         return
     sign = 1.0 if need.moment >= 0 else -1.0
     m_a, m_b, m_xy = origin.along / MEGA, origin.across / MEGA, origin.twisting / MEGA

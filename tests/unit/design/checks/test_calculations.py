@@ -105,6 +105,25 @@ def test_every_value_follows_from_its_numbers(case: str) -> None:
     assert set(table["combination"]) == {"high"}  # no bars are laid, whose cracks the lasting one opens
 
 
+def test_a_corner_column_that_is_bent_outwards_a_little_is_followed() -> None:
+    """Its governing perimeter has the constant factor, the face that of moments, whose shares need both extents."""
+    model = gs.Model(
+        plate={"length_x": 6.0, "length_y": 5.0, "thickness": 0.5, "E": 30e9, "nu": 0.2},
+        ground={"kind": "winkler", "k": 20e6},
+        columns=[{"name": "K", "x": 2.7, "y": 2.2, "width_x": 0.4, "width_y": 0.4}],
+        cases=[{"name": "G"}],
+        loads=[{"kind": "point", "column": "K", "P": 300e3, "M_x": 2e3, "M_y": 2e3, "case": "G"}],
+        combinations=[{"name": "U", "limit_state": "ultimate", "factors": {"G": 1.35}}],
+        reinforcement={"f_ck": 30e6, "f_yk": 500e6, "bottom": (0.06, 0.08), "top": (0.06, 0.08)},
+        mesh={"size": 0.5},
+    )
+    table = table_makers(solve_once(model))["calculations"]()
+    assert follow(table) > 60
+    sheet = of(table, "punching")
+    assert sheet["beta"] == 1.5
+    assert sheet["beta_0"] > 1.5
+
+
 def test_the_sheet_is_the_check() -> None:
     """Of both combinations the one that governs; its shares are those of the table of columns."""
     found = of(sheets(MIDDLE, M_y=80e3), "punching")

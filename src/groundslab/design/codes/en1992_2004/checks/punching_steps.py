@@ -72,7 +72,7 @@ def steps(demand: Demand, steel: Reinforcement, support: Support) -> Iterator[St
         symbols, clause = ("N_Ed", "V_Ed"), "6.4.4(2), 6.48"
         yield from punching_force(what, symbols, inside, size, stress.V_Ed, clause, relieves=relieves)
         constant = _has_constant(stress, stress.control, concrete.annex.least_beta)
-        yield from _length(stress.control, along_axes=not constant)
+        yield from _length(stress.control, along_axes=not constant or _face_has_moments(demand, concrete))
         yield from _beta(stress, stress.control, concrete.annex.least_beta, what, demand.force)
     else:
         assert demand.wall is not None
@@ -95,6 +95,8 @@ def steps(demand: Demand, steel: Reinforcement, support: Support) -> Iterator[St
     elif stress.v_Ed > demand.resistance(stress):
         yield from _with_links(demand, stress, concrete, bars)
     if demand.face is not None and stress.control is not None and concrete.annex.face:
+        if constant and _face_has_moments(demand, concrete):
+            yield axis_step(stress.control.course.frame)
         yield from _face(demand.face, stress.control, demand, concrete, what)
 
 
@@ -149,6 +151,14 @@ def _has_constant(stress: Stress, control: ControlPerimeter, least: float, force
     shares, moduli = [*map(float, control.shares)], [*map(float, control.moduli)]
     general = en1992.raised(stress.moments, shares, pushing, control.u, moduli) / pushing
     return not math.isclose(stress.beta, max(least, general), rel_tol=SAME)
+
+
+def _face_has_moments(demand: Demand, concrete: Concrete) -> bool:
+    """Return whether what counts at the face follows from moments about the center of the outermost perimeter."""
+    face = demand.face
+    if face is None or face.outer is None or not concrete.annex.face or face.way != "code":
+        return False
+    return not _has_constant(face, face.outer, concrete.annex.least_beta, demand.force)
 
 
 def _extents_at_corner(control: ControlPerimeter) -> tuple[float, tuple[str, str]]:
