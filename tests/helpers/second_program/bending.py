@@ -44,10 +44,10 @@ def bending(code: str) -> dict[str, Rule]:
     }
 
 
-def design_moment(v: Values) -> float:
-    """Return the mean over the width, or Wood's moment: in the direction of the bars and as much as it twists."""
+def design_moment(v: Values) -> float | None:
+    """Return Wood's moment, as much as it twists in the direction of the bars; None of a mean, which is given."""
     if "m_a" not in v:
-        return v["m"]  # a mean that the analysis integrates
+        return None
     own = -v["m_a"] if v["top"] else v["m_a"]
     return own + (v["m_xy"] ** 2 / abs(v["m_b"]) if "m_b" in v else abs(v["m_xy"]))
 
