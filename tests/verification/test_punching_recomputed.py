@@ -286,7 +286,9 @@ def expected_beta(each: dict[str, Any], line: Sampled, V: float, moments: np.nda
         c_1 = np.ptp(shapely.get_coordinates(base_of(each))[:, axis])
         inner = each["xy"[axis]] - way * c_1 / 2
         kept = (inner - line.whole[line.counts][:, axis]) * way > -min(1.5 * D, c_1 / 2)
-        simple = line.u() / ds[kept].sum() + terms[0]
+        # the table's ratio of sides is halved, whichever of them is c_1 (6.4.3(4))
+        at_edge = table_6_1(max(extents) / (2 * min(extents)))
+        simple = line.u() / ds[kept].sum() + terms[0] / k[0] * at_edge
     return (max(simple, general) if outwards or not line.counts.all() else simple), W
 
 

@@ -63,9 +63,12 @@ def punching(code: str) -> dict[str, Rule]:
     for n, (first, second) in {"1": "12", "2": "21"}.items():
         position = int(n) - 1
         for of in ("", ",R"):
-            rules[f"k_{n}{of}"] = lambda v, f=first, s=second: table_6_1(v[f"c_{f}"] / v[f"c_{s}"])
+            rules[f"k_{n}{of}"] = lambda v, f=first, s=second, r=f"c_r{of}": table_6_1(
+                v[r] if r in v else v[f"c_{f}"] / v[f"c_{s}"]
+            )
             at = "a" if not of else "a_R"
             rules[f"W_{n}{of}"] = perimeter("W", lambda each, i=position: each.W[i], at)
+            rules[f"c_r{of}"] = lambda v: max(v["c_1"], v["c_2"]) / (2 * min(v["c_1"], v["c_2"]))
         rules[f"M_{n},R"] = lambda v, n=n: v[f"M_c,{n}"] + v["N_Ed"] * v[f"e_{n},R"]
     rules |= {
         "u": lambda v: v["u_w"] - v["u_o"] if "u_w" in v else perimeter("u", lambda each: each.u)(v),
@@ -120,7 +123,7 @@ def beta(v: Values, code: str) -> float:
     if "M_1" not in v:
         return 1.5
     if "M_2" not in v:
-        return max(1.0, 1 / v["s"] + v["k_1"] * abs(v["M_1"]) * v["u"] / (v["V_Ed"] * v["W_1"]))
+        return max(1.0, 1 / v["s"] + table_6_1(v["c_r"]) * abs(v["M_1"]) * v["u"] / (v["V_Ed"] * v["W_1"]))
     x, y = (v[f"k_{n}"] * v[f"M_{n}"] / v["V_Ed"] * v["u"] / v[f"W_{n}"] for n in (1, 2))
     return max(1.1 if code == DE else 1.0, 1 + math.sqrt(x * x + y * y))
 

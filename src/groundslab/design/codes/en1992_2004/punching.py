@@ -27,6 +27,8 @@ FORMULAS = {
     "k": "min(2, 1 + sqrt(200 / (1000 * d)))",
     "v_Rd,c": "max(C / gamma_C * k * (100 * rho_l * f_ck)^(1/3), v_min * k^(3/2) * f_ck^(1/2))",
     "k_n": "max(0.45, min(0.3 + 0.3 * c_n / c_m, 0.5 + 0.1 * c_n / c_m, 0.8))",
+    "c_r": "max(c_1 / c_2, c_2 / c_1) / 2",
+    "k_1 at an edge": "max(0.45, min(0.3 + 0.3 * c_r, 0.5 + 0.1 * c_r, 0.8))",
     "beta": "1 + sqrt((k_1 * M_1 * u / (V_Ed * W_1))^2 + (k_2 * M_2 * u / (V_Ed * W_2))^2)",
     "beta at an edge": "1 / s + k_1 * abs(M_1) * u / (V_Ed * W_1)",
     "v_Ed": "beta * V_Ed / (u * d)",
@@ -84,6 +86,14 @@ def least_factor(concrete: Concrete, d: float) -> float:
 def transfer_share(ratio: float) -> float:
     """Return k of Table 6.1: the share of a moment that shear transfers, by c_1 / c_2 of the column."""
     return float(np.interp(ratio, [0.5, 1.0, 2.0, 3.0], [0.45, 0.6, 0.7, 0.8]))
+
+
+def edge_ratio(c_1: float, c_2: float) -> float:
+    """Return what takes the place of c_1 / c_2 in Table 6.1 at an edge (6.4.3(4)): c_1 / (2 c_2) of its sides [m].
+
+    c_1 is the side across the edge as in Figure 6.20a, or the one along the moment as in Table 6.1: the larger counts.
+    """
+    return max(c_1 / c_2, c_2 / c_1) / 2
 
 
 #: beta of a column at a corner (Figure 6.21N), the same in all annexes here.

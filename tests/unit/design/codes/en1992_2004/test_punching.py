@@ -8,6 +8,7 @@ import pytest
 
 from groundslab.design.codes.en1992_2004.materials import Concrete
 from groundslab.design.codes.en1992_2004.punching import (
+    edge_ratio,
     links_per_perimeter,
     links_that_count,
     max_resistance,
@@ -34,6 +35,14 @@ def test_a_calculation_of_another_program() -> None:
 def test_table_6_1(ratio: float, k: float) -> None:
     """The table's four values, straight lines between, no more beyond."""
     assert transfer_share(ratio) == pytest.approx(k)
+
+
+@pytest.mark.parametrize(
+    ("across", "along", "k"), [(0.4, 0.4, 0.45), (0.8, 0.4, 0.6), (0.4, 0.8, 0.6), (1.6, 0.4, 0.7)]
+)
+def test_k_at_an_edge(across: float, along: float, k: float) -> None:
+    """6.4.3(4): Table 6.1 with c_1 / (2 c_2), 1/2 of a square column, 1 at twice, 2 at four times as deep."""
+    assert transfer_share(edge_ratio(across, along)) == pytest.approx(k)
 
 
 def test_links_carry_what_is_missing() -> None:

@@ -24,6 +24,7 @@ from groundslab.design.codes.en1992_2004.checks.punching_demand import (
     ControlPerimeter,
     Demand,
     Stress,
+    limited_outermost,
 )
 from groundslab.design.codes.en1992_2004.materials_of_case import materials
 from groundslab.design.codes.en1992_2004.perimeters import face_length, openings, share_of_thinner
@@ -415,8 +416,7 @@ def _changed(results: CombinationResult, site: _Site, thicker: float, wider: flo
     other = _InThickerSlab(column, punching.by_case, punching.support, punching.pulls, thicker)
     changed_site = _site(results, other, site.steel, () if site.zone is None else (site.zone,))
     demand = None
-    if materials(site.steel)[0].annex.face:
-        # where the face has a limit, links have one on the outermost perimeter alone
+    if limited_outermost(materials(site.steel)[0].annex, at_face=True):
         distances, _ = _first_distances(changed_site)
         demand = _demand(results, changed_site, changed_site.control(results, 0.0), distances[-1:])
     if demand is None or demand.face is None:
@@ -567,7 +567,8 @@ def _raised_by_moments(
         return _Raised(max(least, general))
     simple = en1992.CORNER * force
     if shape == "edge":
-        along, share, W = float(turned[0]), float(control.shares[0]), float(control.moduli[0])
+        share = en1992.transfer_share(en1992.edge_ratio(*control.widths))
+        along, W = float(turned[0]), float(control.moduli[0])
         simple = en1992.raised_at_an_edge(control.reduced, along, share, force, control.u, W)
     outward = -float((control.course.inward @ applied).min(initial=0.0))
     if not (control.opened or outward > NO_ECCENTRICITY * force):

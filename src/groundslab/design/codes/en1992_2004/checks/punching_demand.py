@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from typing import NamedTuple
 
 from groundslab.arrays import Array
+from groundslab.design.codes.en1992_2004.annex import Annex
 from groundslab.design.codes.en1992_2004.punching import outer_perimeter
 from groundslab.design.demands.line_properties import Course
 from groundslab.design.demands.perimeter_loads import CaseInside, MomentParts, PerimeterLoads
@@ -159,6 +160,14 @@ class Outer(NamedTuple):
     def is_too_far(self, d: float) -> bool:
         """Return whether links cannot end anywhere, as perimeters hardly grow outwards, as on strips."""
         return self.last_links(d) > FARTHEST * d
+
+
+def limited_outermost(annex: Annex, *, at_face: bool) -> bool:
+    """Return whether links are limited by k_max v_Rd,c on the outermost perimeter alone (6.4.5(1)).
+
+    They are where the face has a limit of its own, by the annex, and not at ends of walls.
+    """
+    return bool(annex.face) and at_face
 
 
 def outer(demand: Demand) -> Outer:

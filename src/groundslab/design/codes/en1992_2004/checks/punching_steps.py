@@ -53,6 +53,7 @@ from groundslab.model.design.reinforcement import Reinforcement
 
 #: Where DIN EN 1992-1-1/NA, the one annex with a bound, has the least beta: for slabs and for foundations.
 LEAST_BETA = "6.4.3(3), NA.6.39.1, 6.4.4(2), NA.6.51.1"
+TRANSFERRED = "share of it that shear transfers"
 
 
 def steps(demand: Demand, steel: Reinforcement, support: Support) -> Iterator[Step]:
@@ -220,7 +221,9 @@ def _beta_by_moments(
     if not of:
         yield axis_step(control.course.frame)
     for n in (1,) if edge else (1, 2):
-        yield from _of_axis(n, stress, control, what, column_force, of)
+        yield from _moment(n, stress, what, column_force, of)
+        yield from _edge_share(control, of) if edge else _share(n, control, of)
+        yield _modulus(n, control, of)
     if stress.beta is None:
         return
     name, clause = ("beta at an edge", "6.4.3(4), 6.44") if edge else ("beta", "6.4.3(3), 6.39, 6.51")
@@ -235,24 +238,34 @@ def _beta_by_moments(
     yield Step(words, "beta_0" if of else "beta", stress.beta, "", bounded.format(formula), clause)
 
 
-def _of_axis(
-    n: int,
-    stress: Stress,
-    control: ControlPerimeter,
-    what: tuple[Support, bool],
-    column_force: tuple[str, float],
-    of: str,
+def _moment(
+    n: int, stress: Stress, what: tuple[Support, bool], column_force: tuple[str, float], of: str
 ) -> Iterator[Step]:
-    """Yield the moment along axis n = 1 or 2, the share of it that shear transfers, and the perimeter's modulus."""
+    """Yield the moment along axis n = 1 or 2."""
     assert stress.parts is not None
     sums = stress.others, stress.pressure, stress.edge
     yield from moment_steps(n, stress.parts, column_force, stress.moments[n - 1], what, of, sums)
-    other = 3 - n
-    formula = en1992.FORMULAS["k_n"].replace("c_n", f"c_{n}").replace("c_m", f"c_{other}")
-    share, W = float(control.shares[n - 1]), float(control.moduli[n - 1])
-    yield Step("share of it that shear transfers", f"k_{n}{of}", share, "", formula, "Table 6.1")
+
+
+def _share(n: int, control: ControlPerimeter, of: str) -> Iterator[Step]:
+    """Yield the share of a moment along axis n = 1 or 2 that shear transfers."""
+    formula = en1992.FORMULAS["k_n"].replace("c_n", f"c_{n}").replace("c_m", f"c_{3 - n}")
+    yield Step(TRANSFERRED, f"k_{n}{of}", float(control.shares[n - 1]), "", formula, "Table 6.1")
+
+
+def _edge_share(control: ControlPerimeter, of: str) -> Iterator[Step]:
+    """Yield the share of a moment along an edge that shear transfers, and the ratio of sides that it is taken by."""
+    ratio = en1992.edge_ratio(*control.widths)
+    words = "ratio of sides c_1 / (2 c_2), the larger of both ways to read it"
+    formula = en1992.FORMULAS["k_1 at an edge"].replace("c_r", f"c_r{of}")
+    yield Step(words, f"c_r{of}", ratio, "", en1992.FORMULAS["c_r"], "6.4.3(4)")
+    yield Step(TRANSFERRED, f"k_1{of}", en1992.transfer_share(ratio), "", formula, "6.4.3(4), Table 6.1")
+
+
+def _modulus(n: int, control: ControlPerimeter, of: str) -> Step:
+    """Return the modulus of a perimeter along axis n = 1 or 2."""
     words = Message("modulus of the perimeter along axis {n}, the integral of the distance from its center", n=n)
-    yield Step(words, f"W_{n}{of}", W, "m2", clause="6.40")
+    return Step(words, f"W_{n}{of}", float(control.moduli[n - 1]), "m2", clause="6.40")
 
 
 def _reduced(control: ControlPerimeter, of: str) -> Iterator[Step]:
