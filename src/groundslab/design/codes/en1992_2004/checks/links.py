@@ -26,7 +26,6 @@ from groundslab.design.codes.en1992_2004 import punching as en1992
 from groundslab.design.codes.en1992_2004.checks.punching import (
     CROSSED,
     LEAST_ROWS,
-    beyond_links,
     limited_with_links,
     links_that_count,
     with_remedy,
@@ -223,19 +222,13 @@ def _refused(steel: Reinforcement, demands: list[Demand], thickness: float, *, a
             why: str = Message(
                 "links do not help: v_Ed is {v_Ed:.3g} v_Rd,max at the face (6.4.5(3))", v_Ed=face.v_Ed / most
             )
-            return _with_remedy(steel, demands, why, at_face=at_face)
+            return with_remedy(why, steel, demands, at_face=at_face)
         for _, stress, limit, _ in limited_with_links(demand, concrete.annex, at_face=at_face):
             if stress.v_Ed > limit and not stress.supported:
                 k_max = concrete.annex.k_max
                 why = Message("links do not suffice: v_Ed is more than {k_max:g} v_Rd,c (6.4.5(1))", k_max=k_max)
-                return _with_remedy(steel, demands, why, at_face=at_face)
+                return with_remedy(why, steel, demands, at_face=at_face)
     return "the slab is thinner than 200 mm, too thin for links (9.3.2(1))" if thickness < LEAST_THICKNESS else ""
-
-
-def _with_remedy(steel: Reinforcement, demands: list[Demand], why: str, *, at_face: bool) -> str:
-    """Return why links do not suffice for demands, and what helps the worst of them."""
-    worst = max(demands, key=partial(beyond_links, steel, at_face=at_face))
-    return with_remedy(why, steel, worst, at_face=at_face)
 
 
 def _too_far(required: _Required, d: float) -> str:

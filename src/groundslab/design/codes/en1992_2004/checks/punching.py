@@ -16,6 +16,7 @@ from groundslab.design.codes.en1992_2004.checks.punching_demand import (
     TOO_FAR,
     Demand,
     Stress,
+    limited_outermost,
     outer,
 )
 from groundslab.design.codes.en1992_2004.materials_of_case import materials
@@ -157,7 +158,9 @@ def _at_face(steel: Reinforcement, support: Support, stresses: list[Judged]) -> 
     check = _punching(AT_FACES[support], support, "v_Rd,max", stresses, "fails", "6.4.5(3)")
     if check.status != "fails":
         return check
-    return replace(check, words=with_remedy(check.words, steel, max(stresses, key=_share).demand, at_face=True))
+    failing = max(stresses, key=_share).name
+    demands = [stressed.demand for stressed in stresses if stressed.name == failing]
+    return replace(check, words=with_remedy(check.words, steel, demands, at_face=True))
 
 
 def _within_2d(steel: Reinforcement, support: Support, judged: list[Judged]) -> DesignCheck:
@@ -182,11 +185,10 @@ def _within_2d(steel: Reinforcement, support: Support, judged: list[Judged]) -> 
         with_links = _punching(name, support, limit, most, "fails", "6.4.5(1)")
         if with_links.status == "fails":
             beyond = {stressed.name for stressed in most if stressed.share > 1}
-            failing, more = (
-                max(most, key=_share).demand,
-                _more({stressed.name for stressed in needing} - beyond, support),
-            )
-            words = with_remedy(with_links.words, steel, failing, at_face=support in AT_FACES)
+            more = _more({stressed.name for stressed in needing} - beyond, support)
+            failing = max(most, key=_share).name
+            demands = [demand for demand in punching if demand.name == failing]
+            words = with_remedy(with_links.words, steel, demands, at_face=support in AT_FACES)
             return replace(with_links, words=words + more)
         if with_links.hangs:
             low, high = with_links.between or (0.0, 0.0)
@@ -226,7 +228,7 @@ def limited_with_links(demand: Demand, annex: Annex, *, at_face: bool) -> list[J
 
     That is the outermost one, or all of them where the face has no limit of its own, by the annex or at walls.
     """
-    stresses = demand.around[-1:] if annex.face and at_face else demand.around
+    stresses = demand.around[-1:] if limited_outermost(annex, at_face=at_face) else demand.around
     return [Judged(demand, stress, annex.k_max * demand.resistance(stress)) for stress in stresses]
 
 
@@ -271,30 +273,44 @@ def _ratio_for_links(steel: Reinforcement, demand: Demand, beyond: float) -> flo
     return ratio_for_links(*materials(steel, demand.limit_state), demand.d, demand.v_Rd_c * beyond)
 
 
-def with_remedy(words: str, steel: Reinforcement, demand: Demand, *, at_face: bool) -> str:
-    """Return words on links that do not suffice for a demand, and what helps, if anything is known."""
-    helps = _remedy(steel, demand, at_face=at_face)
+def with_remedy(words: str, steel: Reinforcement, demands: list[Demand], *, at_face: bool) -> str:
+    """Return words on links that do not suffice at a column, by its demands, and what helps, if anything is known."""
+    helps = _remedy(steel, demands, at_face=at_face)
     return joined((words, helps), "; ") if helps else words
 
 
-def _remedy(steel: Reinforcement, demand: Demand, *, at_face: bool) -> str:
-    """Return in words what helps where links do not suffice for a demand: bars, or a thickness and a loaded area.
+def _remedy(steel: Reinforcement, demands: list[Demand], *, at_face: bool) -> str:
+    """Return in words what helps where links do not suffice at a column: bars, or a thickness and a loaded area.
 
-    Bars do not help at the face, where struts fail, nor where as many as count are taken for granted.
+    Bars do not help at the face, where struts fail in any combination, nor where as many as count are taken for
+    granted. Thickness and area are those of the worst combinations around and at the face.
     """
-    beyond = partial(beyond_links, steel, at_face=at_face)
-    around = _beyond_around(steel, demand, at_face=at_face)
-    struts_fail = at_face and _beyond_face(steel, demand) > 1
-    ratio = _ratio_for_links(steel, demand, around) if steel.laid and not struts_fail else None
+    around = max(demands, key=partial(_beyond_around, steel, at_face=at_face))
+    worst = {id(demand): demand for demand in (around, max(demands, key=partial(_beyond_face, steel)))}.values()
+    struts_fail = at_face and any(_beyond_face(steel, demand) > 1 for demand in worst)
+    beyond = _beyond_around(steel, around, at_face=at_face)
+    ratio = _ratio_for_links(steel, around, beyond) if steel.laid and not struts_fail else None
     if ratio is not None:
         return Message(
             "bars in tension of {ratio:.2g} % of the section along both axes, within 3 d beside it, would do",
             ratio=100 * ratio,
         )
-    thicker = least_change(lambda more: demand.changed(more, 0.0), beyond)
-    wider = least_change(lambda more: demand.changed(0.0, more), beyond)
-    control = wider.around[0].control if wider is not None else None
-    return in_words(None if thicker is None else thicker.thickness, None if control is None else control.widths, REACH)
+    count = partial(beyond_links, steel, at_face=at_face)
+
+    def thicker(demand: Demand) -> Demand | None:
+        return least_change(lambda more: demand.changed(more, 0.0), count)
+
+    def wider(demand: Demand) -> Demand | None:
+        return least_change(lambda more: demand.changed(0.0, more), count)
+
+    thicknesses = [changed.thickness for demand in worst if (changed := thicker(demand)) is not None]
+    controls = [changed.around[0].control for demand in worst if (changed := wider(demand)) is not None]
+    sides = [control.widths for control in controls if control is not None]
+    return in_words(
+        max(thicknesses) if len(thicknesses) == len(worst) else None,
+        max(sides) if len(sides) == len(worst) else None,
+        REACH,
+    )
 
 
 def _without_bars(steel: Reinforcement, check: DesignCheck, judged: list[Judged]) -> DesignCheck:
