@@ -10,7 +10,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterator, Mapping
 from dataclasses import dataclass, field, fields, replace
-from functools import partial
 from operator import attrgetter
 from typing import TYPE_CHECKING
 
@@ -28,10 +27,13 @@ if TYPE_CHECKING:
 BOTH_SIGNS = {"settlement": "displacement", "pressure": "pressure", "moment_x": "moment", "moment_y": "moment"}
 SIZES = {"gap": "displacement", "moment_xy": "moment", "shear_x": "shear", "shear_y": "shear"}
 AGAINST = BOTH_SIGNS | SIZES
+#: Forces of beams are judged against this share of those of a strip of slab as wide as it is thick, if that is more: in
+#: a ring under a round tank nothing is left of the shear force but noise.
+OF_STRIP = 0.1
 #: Errors of values on a coarse mesh, as a share of the largest, where nothing tells them.
 USUAL = 0.1
-#: The name of the share of the plate's area that touches the ground.
-CONTACT = "area in contact"
+#: The name of the largest shear force of a beam, and of the share of the plate's area that touches the ground.
+BEAM_SHEAR, CONTACT = "shear force of beams", "area in contact"
 
 
 @dataclass(frozen=True, slots=True)
@@ -98,26 +100,45 @@ def _largest_of(results: CombinationResult) -> LargestValues:
     limits = find_limits(results.solved_model, plate)
     mean = (plate.moment_x + plate.moment_y) / 2
     deviator = np.hypot((plate.moment_x - plate.moment_y) / 2, plate.moment_xy)
-    shear = np.hypot(plate.shear_x, plate.shear_y)
+    moment = float((np.abs(mean) + deviator).max())
+    shear = float(np.hypot(plate.shear_x, plate.shear_y)[limits.shear_forces].max(initial=0.0))
+    strip = OF_STRIP * max(plate.thickness for plate in results.model.every_plate)
+    moments = (float(np.abs(beam.between_ends(0.0).moment).max()) for beam in results.beams)
     return LargestValues(
         displacement=float(max(np.abs(plate.settlement).max(), plate.gap.max())),
-        moment=float((np.abs(mean) + deviator).max()),
-        shear=float(shear[limits.shear_forces].max(initial=0.0)),
+        moment=moment,
+        shear=shear,
         pressure=float(np.abs(plate.pressure[limits.pressures]).max(initial=0.0)),
         support=max((abs(support.total) for support in results.supports), default=0.0),
-        beam_moment=max((float(np.abs(beam.between_ends(0.0).moment).max()) for beam in results.beams), default=0.0),
-        beam_shear=max((_shear_of(beam, results) for beam in results.beams), default=0.0),
+        beam_moment=max(strip * moment, *moments, 0.0),
+        beam_shear=max(strip * shear, *(_shear_of(beam, results) for beam in results.beams), 0.0),
     )
 
 
+def _judged_part(beam: BeamResult, results: CombinationResult) -> BeamResult:
+    """Return a beam at the places where its shear force is judged.
+
+    They are a plate's thickness away from its ends, and from forces and supports without an extent, at which the plate
+    hands its share over to the beam the more the smaller the elements are; all of one that has no such places.
+    """
+    from groundslab.model.remarks.singular_places import near_singular
+
+    model = results.solved_model
+    away = max(plate.thickness for plate in model.every_plate)
+    part = beam.between_ends(away)
+    far = ~near_singular(model, part.nodes, np.full(len(part.nodes), away))
+    return part.at(part.way[far]) if far.any() else part
+
+
 def _shear_of(beam: BeamResult, results: CombinationResult) -> float:
-    """Return the largest shear force of a beam [N] a plate's thickness away from its ends."""
-    away = max(plate.thickness for plate in results.model.every_plate)
-    return float(np.abs(beam.between_ends(away).shear).max())
+    """Return the largest shear force of a beam [N] where it is judged."""
+    return float(np.abs(_judged_part(beam, results).shear).max())
 
 
 def judged_values(results: CombinationResult) -> Iterator[tuple[str, JudgedValue]]:
     """Yield each judged value of results, with its error [SI] as the share, and against what.
+
+    The smallest pressure is judged only where it decides on contact: where it may be below zero.
 
     The places of extremes are those where they may lie if nodal values have their errors, see `error_of_largest`.
     Without a coarser mesh these are USUAL.
@@ -130,8 +151,11 @@ def judged_values(results: CombinationResult) -> Iterator[tuple[str, JudgedValue
     for name, against in AGAINST.items():
         nodes = judged_at.get(name, np.ones(len(plate.nodes), dtype=bool))
         for sign in (1, -1) if name in BOTH_SIGNS else (1,):
-            if nodes.any():
-                yield against, _extreme(name, sign, nodes, results, coarser)
+            if not nodes.any():
+                continue
+            extreme = _extreme(name, sign, nodes, results, coarser)
+            if name != "pressure" or sign > 0 or extreme.value < extreme.error:
+                yield against, extreme
     error, around = error_of_contact_share(results) or 0.0, plate.nodes[line_of_lift_off(plate)]
     yield "share", JudgedValue(error, plate.contact_share, CONTACT, None, around)
     for number, support in enumerate(results.supports):
@@ -151,7 +175,6 @@ def _of_beams(results: CombinationResult, coarser: CombinationResult | None) -> 
     figures: dict[str, tuple[int, Callable[[BeamResult], float]]] = {
         "moment of beams": (1, lambda beam: float(beam.between_ends(0.0).moment.max())),
         "least moment of beams": (-1, lambda beam: float(beam.between_ends(0.0).moment.min())),
-        "shear force of beams": (1, partial(_shear_of, results=results)),
     }
     for number, beam in enumerate(results.beams):
         middle = place_of(beam.nodes[len(beam.nodes) // 2][None], 0)
@@ -160,8 +183,22 @@ def _of_beams(results: CombinationResult, coarser: CombinationResult | None) -> 
             error = USUAL * abs(value)
             if coarser is not None and results.comparison is not None:
                 error = estimate_error(value, figure(coarser.beams[number]), results.comparison)
-            against = "beam_shear" if label.startswith("shear") else "beam_moment"
-            yield against, JudgedValue(error, value, label, middle, sign=sign)
+            yield "beam_moment", JudgedValue(error, value, label, middle, sign=sign)
+        yield "beam_shear", _largest_shear(beam, None if coarser is None else coarser.beams[number], results)
+
+
+def _largest_shear(beam: BeamResult, coarser: BeamResult | None, results: CombinationResult) -> JudgedValue:
+    """Return the largest shear force of a beam, with the places along it where it may lie."""
+    part = _judged_part(beam, results)
+    values = np.abs(part.shear)
+    most = values + USUAL * values.max()
+    if coarser is not None and results.comparison is not None:
+        of_one = estimate_error(1.0, 0.0, results.comparison)
+        most = values + of_one * np.abs(part.shear - coarser.at(part.way).shear)
+    value, node = float(values.max()), int(np.argmax(most))
+    error = float(most[node]) - value
+    around = part.nodes[most >= value + error / 2]
+    return JudgedValue(error, value, BEAM_SHEAR, place_of(part.nodes, node), around)
 
 
 def _extreme(

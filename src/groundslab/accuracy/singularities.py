@@ -37,9 +37,10 @@ class Limits:
 def find_limits(model: Model, plate: PlateResult) -> Limits:
     """Return at which nodes of the plate (n,) shear forces and pressures are judged.
 
-    Shear forces under walls and next to their faces grow from one side to the other, and are read at d from the faces.
-    Those around footprints and where they are singular, at the plate's corners too if ground with shear goes on
-    beyond them, have no meaning in design, where punching is checked instead. Nor have those within a thickness of the
+    Shear forces over the webs of beams are the beams'. Those under walls and next to their faces grow from one side to
+    the other, and are read at d from the faces. Those around footprints and where they are singular, at the plate's
+    corners too if ground with shear goes on beyond them, have no meaning in design, where punching is checked instead;
+    what is singular at an end of a beam is as wide as its web. Nor have those within a thickness of the
     plate's edges, a quarter of the width of a narrow plate, where they are what the twisting moment has become.
     Pressures on ground without shear follow the settlement; with shear they have no limit where section forces have
     none, and jump at beams and where loads, lines, zones and voids begin, and around where the plate has lifted off.
@@ -68,6 +69,9 @@ def limits_without_contact(model: Model, nodes: Array) -> Limits:
     footprints = [edge for _, shape in model.acting if isinstance(shape, PointForce) for edge in borders_of(shape)]
     within = np.full(len(nodes), reach)
     singular = near_singular(model, nodes, within)
+    for beam in model.beams:
+        # what ends is as wide as its web
+        singular |= near_places(beam.ends, nodes, within + beam.width / 2)
     if model.ground_reaches:
         singular |= near_places(
             [place for plate in model.every_plate for place in corners_of(plate.ring(), None)], nodes, within
@@ -79,9 +83,13 @@ def limits_without_contact(model: Model, nodes: Array) -> Limits:
     for _, shape in model.acting:
         if isinstance(shape, LineForce) and shape.width:
             shear_forces &= ~_near(nodes, [*shape.edges], shape.width / 2 + FROM_FACES * thinnest)
+    for beam in model.beams:
+        shear_forces &= ~_near(nodes, [*beam.edges], beam.width / 2)
     if not model.ground_carries_shear:
         return Limits(shear_forces, np.ones(len(nodes), dtype=bool))
-    return Limits(shear_forces, ~(singular | _near(nodes, [*_creases(model)], reach)))
+    webs = [_near(nodes, [*beam.edges], beam.width / 2 + reach) for beam in model.beams]
+    creased = np.any([_near(nodes, [*_creases(model)], reach), *webs], axis=0)
+    return Limits(shear_forces, ~(singular | creased))
 
 
 def _near(nodes: Array, edges: list[Segment], reach: float) -> Flags:
@@ -98,7 +106,7 @@ def _creases(model: Model) -> Iterator[Segment]:
     """Yield the lines along which the pressure of ground with shear jumps or has no limit."""
     for _, shape in model.acting:
         yield from borders_of(shape)
-    for line in (*model.supports, *model.members):
+    for line in (*model.supports, *(member for member in model.members if member not in model.beams)):
         yield from line.edges
     zones = [zone for plate in model.every_plate for zone in plate.zones]
     soil, voids = model.soil_zones, model.contact.voids

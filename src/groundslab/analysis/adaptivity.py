@@ -10,7 +10,7 @@ from typing import TypeVar
 import numpy as np
 
 from groundslab.accuracy.governing import find_governing
-from groundslab.accuracy.judgment import AGAINST, CONTACT, JudgedValue, judge, judge_together
+from groundslab.accuracy.judgment import AGAINST, BEAM_SHEAR, CONTACT, JudgedValue, judge, judge_together
 from groundslab.accuracy.values import OF_THE_WHOLE
 from groundslab.arrays import Array
 from groundslab.discretize.plan.local_sizes import local_sizes
@@ -51,7 +51,7 @@ SMALLER = 8.0
 #: An error that is left with more than this share of itself by smaller elements falls no more.
 PROGRESS = 0.8
 #: Errors of these come from the elements around their places.
-LOCAL = {PLATE_FIELDS[name].label for name in AGAINST if name not in OF_THE_WHOLE} | {CONTACT}
+LOCAL = {PLATE_FIELDS[name].label for name in AGAINST if name not in OF_THE_WHOLE} | {BEAM_SHEAR, CONTACT}
 #: Smaller elements at the places of a value reach so many of their present sides around these; those along the line of
 #: lift-off, on which the area in contact depends, so many.
 AROUND, ALONG = 3.0, 1.0

@@ -10,9 +10,10 @@ import pytest
 
 import groundslab
 from groundslab.accuracy.energy import energy_errors, error_density
-from groundslab.accuracy.judgment import judge
+from groundslab.accuracy.judgment import BEAM_SHEAR, judge
 from groundslab.accuracy.prolongation import make_prolongation
 from groundslab.accuracy.resolution import find_unresolved
+from groundslab.accuracy.singularities import limits_without_contact
 from groundslab.accuracy.values import (
     AROUND,
     FASTEST_AROUND,
@@ -244,6 +245,77 @@ def test_errors_are_judged_against_what_governs_over_all_combinations() -> None:
     alone = error_of_largest(heavy, "gap", heavy.plate.gap, heavy.coarser.plate.gap)  # type: ignore[union-attr]
     assert heavy.largest.displacement == max(np.abs(heavy.plate.settlement).max(), heavy.plate.gap.max())
     assert gap.share == pytest.approx(alone / heavy.largest.displacement)
+
+
+def ribbed(ground: dict[str, Any], **parts: Any) -> Model:
+    """Return a slab of 0.25 m with a rib of 0.6 m across, from edge to edge, and a load on it."""
+    section = {"kind": "rib", "width": 0.6, "height": 0.6, "effective_width": 1.5}
+    return Model.model_validate(
+        {
+            "plate": {"length_x": 6.0, "length_y": 4.0, "thickness": 0.25, "E": 33e9, "nu": 0.2},
+            "ground": ground,
+            "beams": [{"name": "r", "points": [(-2.0, 0.0), (2.0, 0.0)], "section": section}],
+            "loads": [{"kind": "point", "P": 1e5, "x": 0.0, "y": 0.0}, {"kind": "uniform", "q": 1e4}],
+            "mesh": {"counts": (24, 16)},
+            **parts,
+        }
+    )
+
+
+SHEARED = {"kind": "pasternak", "k0": 2e7, "k1": 1e7}
+
+
+def test_shear_forces_over_webs_and_at_ends_of_ribs_are_not_judged() -> None:
+    """Over 0.3 m on each side of the axis they are the rib's; its end is as wide as its web, for pressures too."""
+    model = ribbed(SHEARED)
+    places = np.array([(1.0, 0.0), (1.0, 0.29), (1.0, 0.31), (2.5, 0.0), (2.6, 0.0)])
+    limits = limits_without_contact(model, places)
+    assert limits.shear_forces.tolist() == [False, False, True, False, True]
+    places = np.array([(1.0, 0.5), (1.0, 0.6), (2.5, 0.0), (2.6, 0.0)])
+    assert limits_without_contact(model, places).pressures.tolist() == [False, True, False, True]
+
+
+def test_shear_of_a_beam_is_judged_away_from_forces_without_a_footprint() -> None:
+    """Its largest value is right beside the force; what is judged is a slab's thickness farther on, and less."""
+    results = groundslab.solve(ribbed({"kind": "winkler", "k": 3e7})).only
+    (beam,) = results.beams
+    (judged,) = (value for value in judge(results) if value.label == BEAM_SHEAR)
+    assert judged.place is not None
+    assert abs(judged.place[0]) > 0.25
+    part = beam.between_ends(0.25)
+    assert judged.value == pytest.approx(np.abs(part.shear[np.abs(part.way - 2.0) > 0.2501]).max())
+    assert judged.value < 0.9 * np.abs(part.shear).max()
+    assert len(judged.around)
+
+
+def test_least_pressures_are_judged_where_they_may_be_below_zero() -> None:
+    """Under a load that presses all of the slab they are far above; where a load at an edge lifts it they are not."""
+
+    def least(loads: list[dict[str, Any]]) -> list[float]:
+        results = groundslab.solve(ribbed({"kind": "winkler", "k": 3e7}, loads=loads, contact={"tensionless": False}))
+        return [value.value for value in judge(results.only) if value.label == "pressure p" and value.sign < 0]
+
+    assert least([{"kind": "uniform", "q": 1e4}]) == []
+    (pulled,) = least([{"kind": "point", "P": 1e5, "x": 2.8, "y": 0.0, "width_x": 0.3, "width_y": 0.3}])
+    assert pulled < 0
+
+
+def test_forces_of_beams_that_are_nothing_beside_the_slab_are_no_errors() -> None:
+    """A ring under an even load around has no shear force: its noise counts beside a tenth of a strip of the slab."""
+    circle = {"kind": "circle", "radius": 2.5}
+    model = ribbed(
+        {"kind": "winkler", "k": 3e7},
+        plate={"outline": {"kind": "circle", "radius": 3.0}, "thickness": 0.25, "E": 33e9, "nu": 0.2},
+        beams=[{"name": "ring", "shape": circle, "section": {"kind": "rectangle", "width": 0.4, "height": 0.6}}],
+        loads=[{"kind": "line", "q": 8e4, "shape": circle}],
+        mesh={"size": 0.5},
+    )
+    results = groundslab.solve(model).only
+    (ring,) = results.beams
+    (judged,) = (value for value in judge(results) if value.label == BEAM_SHEAR)
+    slab_shear = np.hypot(results.plate.shear_x, results.plate.shear_y).max()
+    assert np.abs(ring.shear).max() < 0.01 * 0.25 * slab_shear
+    assert judged.share < 0.1
 
 
 def test_a_smooth_part_of_a_slab_converges_faster_than_a_singular_one() -> None:

@@ -121,3 +121,22 @@ def test_scipy_finds_the_same_in_parts_of_any_size(monkeypatch: pytest.MonkeyPat
         inside = (expected > values.min()) & (expected < values.max())
         assert inside.sum() > 80
         np.testing.assert_allclose(found[inside], expected[inside], rtol=1e-9)
+
+
+def test_gaps_end_in_zero_without_a_crease() -> None:
+    """A plane through three gaps that reaches below zero stays where it is a tenth of the largest, and ends smoothly.
+
+    The slope falls from 1.25 mm/m to zero over some centimeters, by small steps: cut off it would do so in one.
+    """
+    places, gaps = np.array([[0.0, 0.0], [4.0, 0.0], [0.0, 3.0]]), np.array([0.0, 5e-3, 0.0])
+    x = np.linspace(-2.0, 4.0, 1201)
+    found = interpolate_smoothly(places, gaps, np.column_stack([x, np.zeros_like(x)]))
+    plane = 1.25e-3 * x
+    np.testing.assert_allclose(interpolate_smoothly(places, gaps, np.vstack([places, [[-2, 0]]]))[:3], gaps, atol=1e-15)
+    np.testing.assert_allclose(found[x >= 0.4], plane[x >= 0.4], rtol=1e-12)
+    assert np.abs(found[x <= 0]).max() < 1e-12
+    assert np.abs(found - plane.clip(0)).max() < 0.02 * gaps.max()
+    slope = np.diff(found) / np.diff(x)
+    assert slope.min() > -1e-12
+    # of c t^3 (6 - 8 t + 3 t^2) the curvature is at most 4 / c, c = 0.5 mm
+    assert np.abs(np.diff(slope) / np.diff(x)[1:]).max() < 4 * 1.25e-3**2 / 0.5e-3

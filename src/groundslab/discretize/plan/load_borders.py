@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 import functools
+import math
 import re
 from dataclasses import replace
 from typing import TYPE_CHECKING
+
+import numpy as np
 
 from groundslab.discretize.plan.borders import MOST_BORDERS, add_borders
 from groundslab.geometry.places import same_place_in
@@ -16,11 +19,14 @@ from groundslab.model.model import Model
 from groundslab.model.remarks.singular_places import kinks_of_loads
 
 if TYPE_CHECKING:
+    from numpy.typing import NDArray
     from shapely import LineString, Point
 
 #: A border or line that passes another one this close is not followed: by this share of the plate's thickness, of
 #: twice the thickness for a border, or of the border's shorter side if that is less.
 CLEAR = 0.25
+#: A flattened curve that turns by more than this has a corner; curves that cross at a smaller angle than STEEP graze.
+CORNER, STEEP = math.radians(15), math.radians(30)
 
 #: A straight line from one place to another.
 Line = tuple[Place, Place]
@@ -93,16 +99,45 @@ def _follow(plan: Plan, rings: tuple[Ring, ...], lines: tuple[Line, ...], thickn
 
 
 def _clear(curve: LineString | Point, other: LineString | Point, same: float, near: float) -> bool:
-    """Return whether corners of either of two curves lie on the other, or at least so far from it [m]."""
+    """Return whether either of two curves meets the other nowhere, at its own corners, or across it; else `near` [m].
+
+    At a corner they have the same place, or are at least so far apart. Along smooth parts they are closer than that
+    only about places where they cross, as far as curves do that cross at STEEP or more.
+    """
     import shapely
 
     if shapely.distance(curve, other) >= near:
         return True
+    crossings = shapely.intersection(curve, other)
     for a, b in ((curve, other), (other, curve)):
-        apart = shapely.distance(shapely.points(shapely.get_coordinates(a)), b)
-        if ((apart > same) & (apart < near)).any():
+        places, corner = _corners(a)
+        apart = shapely.distance(places, b)
+        between = (apart > same) & (apart < near)
+        # without a crossing the distance is none
+        far = ~(shapely.distance(places, crossings) <= near / math.sin(STEEP))
+        if (between & (corner | far)).any():
             return False
     return True
+
+
+def _corners(curve: LineString | Point) -> tuple[NDArray[np.object_], NDArray[np.bool_]]:
+    """Return the points of a flattened curve (p,), and whether each is a corner or an end (p,), not on an arc."""
+    import shapely
+
+    places = shapely.get_coordinates(curve)
+    corner = np.ones(len(places), dtype=bool)
+    if len(places) > 2:
+        along = np.diff(places, axis=0)
+        direction = np.arctan2(along[:, 1], along[:, 0])
+        if shapely.is_closed(curve):
+            before, after, turning = np.roll(direction, 1), direction, slice(0, -1)
+        else:
+            before, after, turning = direction[:-1], direction[1:], slice(1, -1)
+        turn = np.abs(np.angle(np.exp(1j * (after - before))))
+        corner[turning] = turn > CORNER
+        if shapely.is_closed(curve):
+            corner[-1] = corner[0]
+    return shapely.points(places), corner
 
 
 def _add_lines(plan: Plan, lines: tuple[Line, ...]) -> Plan:

@@ -53,6 +53,18 @@ def test_what_passes_closely_is_not_followed(gap: float, count: int) -> None:
     assert len(plan(COLUMN, COLUMN | {"x": 1.4 + gap}).borders) == count
 
 
+@pytest.mark.parametrize(("y", "count"), [(0.2, 1), (0.8, 1), (0.95, 0), (1.03, 0), (1.1, 1)])
+def test_a_line_across_a_circle(y: float, count: int) -> None:
+    """It is followed where it crosses the circle, y up to 0.87 m by more than 30 degrees, or passes it clearly.
+
+    The points of the circle beside a crossing are no corners; a line that grazes it would leave slivers.
+    """
+    circle = {"kind": "area", "q": 3e4, "shape": {"kind": "circle", "centre": (0.0, 0.0), "radius": 1.0}}
+    found = plan(circle, {**WALL, "points": [(-4.0, y), (4.0, y)]})
+    assert len(found.borders) == 1
+    assert len(found.lines) == count
+
+
 def test_a_wall_beside_a_column() -> None:
     """A line that runs through a footprint is followed, one closer to its edge than a quarter of the thickness not."""
     through, beside = ({**WALL, "points": [(-4.0, y), (4.0, y)]} for y in (0.5, 0.68))
