@@ -30,6 +30,8 @@ AGAINST = BOTH_SIGNS | SIZES
 #: Forces of beams are judged against this share of those of a strip of slab as wide as it is thick, if that is more: in
 #: a ring under a round tank nothing is left of the shear force but noise.
 OF_STRIP = 0.1
+#: Values from this share of the largest on may be the largest on the next mesh, as elements become smaller around it.
+NEXT = 0.9
 #: Errors of values on a coarse mesh, as a share of the largest, where nothing tells them.
 USUAL = 0.1
 #: The name of the largest shear force of a beam, and of the share of the plate's area that touches the ground.
@@ -41,7 +43,7 @@ class JudgedValue:
     """An error as a share of what governs, the value [SI], its name and place [m], and the error itself [SI].
 
     Around are the places (p, 2) of all nodal values that may exceed it by at least half as much, none of other values.
-    The sign is -1 of a smallest value.
+    Coarse are these and, of fields, those that come next: nearly as large and at least half as far off. The sign is -1 of a smallest value.
     """
 
     share: float
@@ -51,6 +53,7 @@ class JudgedValue:
     around: Array = field(default_factory=lambda: np.zeros((0, 2)), compare=False, repr=False)
     sign: int = 1
     error: float = 0.0
+    coarse: Array = field(default_factory=lambda: np.zeros((0, 2)), compare=False, repr=False)
 
 
 def judge(results: CombinationResult) -> list[JudgedValue]:
@@ -221,5 +224,9 @@ def _extreme(
     node = extreme_node(nodes, most, 1)
     value = float(values.max())
     error = float(most[node]) - value
-    around = nodes[most >= value + error / 2]
-    return JudgedValue(error, sign * value, PLATE_FIELDS[name].label, place_of(nodes, node), around, sign)
+    may_be = most >= value + error / 2
+    next_largest = (most - values >= error / 2) & (most >= NEXT * value)
+    place = place_of(nodes, node)
+    return JudgedValue(
+        error, sign * value, PLATE_FIELDS[name].label, place, nodes[may_be], sign, coarse=nodes[may_be | next_largest]
+    )

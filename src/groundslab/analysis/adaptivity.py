@@ -238,8 +238,9 @@ def _near_values(mesh: Mesh, h: Array, judged: list[JudgedValue], accuracy: floa
     """Return sizes (m,) [m] with which errors at the places of values fall to the accuracy; no limit elsewhere."""
     sizes = np.full(len(h), np.inf)
     for value in judged:
-        if len(value.around):
-            away = nearest_distance(mesh.xy[:, 8], value.around, np.inf) / h
+        places = value.coarse if len(value.coarse) else value.around
+        if len(places):
+            away = nearest_distance(mesh.xy[:, 8], places, np.inf) / h
             reduction = max(_reduction(value.share, accuracy), LEAST_REDUCTION)
             around = ALONG if value.label == CONTACT else AROUND
             for reach, less in ((around, LEAST_REDUCTION), (around / 2, reduction)):

@@ -300,6 +300,21 @@ def test_least_pressures_are_judged_where_they_may_be_below_zero() -> None:
     assert pulled < 0
 
 
+@pytest.mark.parametrize(("second", "found"), [(0.95, True), (0.6, False)])
+def test_elements_become_smaller_at_the_next_largest_values_too(second: float, found: bool) -> None:
+    """Under a column with nearly the largest load the moment would be the largest, and as far off, on the next mesh."""
+    columns = [
+        {"kind": "point", "P": P, "x": x, "y": 0.0, "width_x": 0.4, "width_y": 0.4}
+        for x, P in ((-2.0, 1e5), (2.0, second * 1e5))
+    ]
+    model = ribbed({"kind": "winkler", "k": 3e7}, loads=columns, beams=[], mesh={"counts": (12, 8)})
+    values = [value for value in judge(groundslab.solve(model).only) if value.label == "moment m_x" and value.sign > 0]
+    (largest,) = values
+    assert (largest.coarse[:, 0] < 0).any()
+    assert (largest.coarse[:, 0] > 0).any() == found
+    assert (largest.around[:, 0] < 0).all()
+
+
 def test_forces_of_beams_that_are_nothing_beside_the_slab_are_no_errors() -> None:
     """A ring under an even load around has no shear force: its noise counts beside a tenth of a strip of the slab."""
     circle = {"kind": "circle", "radius": 2.5}
