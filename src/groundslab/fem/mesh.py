@@ -215,7 +215,8 @@ def _in_parallelograms(C: Array, middle: Array, which: Integers, points: Array) 
     inverse = np.array([[y_eta, -x_eta], [-y_xi, x_xi]]) / (x_xi * y_eta - x_eta * y_xi)
     dx, dy = (points - middle[which]).T
     (xi_x, xi_y), (eta_x, eta_y) = inverse[:, :, which]
-    return np.clip([xi_x * dx + xi_y * dy, eta_x * dx + eta_y * dy], -1.5, 1.5)
+    local: Array = np.clip([xi_x * dx + xi_y * dy, eta_x * dx + eta_y * dy], -1.5, 1.5)
+    return local
 
 
 def _invert(C: Array, offset: Array) -> Array:

@@ -42,7 +42,8 @@ def q9(points: Array) -> tuple[Array, Array]:
 def q9_values(points: Array) -> Array:
     """Return N (p, 9) at points (p, 2), without derivatives."""
     Nx, Ny = (np.stack([x * (x - 1) / 2, 1 - x * x, x * (x + 1) / 2], axis=-1) for x in points.T)
-    return Nx[:, COLUMN] * Ny[:, ROW]
+    N: Array = Nx[:, COLUMN] * Ny[:, ROW]
+    return N
 
 
 @cache
