@@ -82,8 +82,8 @@ test-short: $(VENV)/dev.stamp pages ## all tests but the slow ones
 test-slow: $(VENV)/dev.stamp pages ## the slow tests
 	$(PYTEST) -m slow
 
-test-random: export GROUNDSLAB_EXAMPLES := 9
-test-random: $(VENV)/dev.stamp pages ## what is tried on random examples, on nine times as many: before a release
+test-random: export GROUNDSLAB_EXAMPLES := 15
+test-random: $(VENV)/dev.stamp pages ## what is tried on random examples, on fifteen times as many: before a release
 	$(PYTEST) tests/properties
 
 coverage: $(VENV)/dev.stamp pages ## all tests but the slow ones, and how much of the code they run

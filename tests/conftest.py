@@ -19,8 +19,10 @@ from groundslab.solvers import factorization
 LENGTHY = Path(__file__).with_name("lengthy.txt")
 #: Test functions that take longer are recorded [s].
 QUICK = 0.2
-#: How long this process and those that it has ended had computed when the last step of a test ended [s].
+#: How long this process and those that it has started had computed when the last step of a test ended [s].
 COMPUTED = pytest.StashKey[float]()
+#: How long those that it has ended had, and those that go on from test to test, such as a browser [s].
+ENDED, GOING_ON = pytest.StashKey[float](), pytest.StashKey[float]()
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
@@ -39,8 +41,9 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
         items[:] = [each for each in items if each not in left_out]
 
 
-def pytest_collection_finish() -> None:
+def pytest_collection_finish(session: pytest.Session) -> None:
     """Let what has been imported and collected, which lives to the end, never be looked through for garbage again."""
+    session.stash[COMPUTED], session.stash[ENDED] = sum(os.times()[:4]), sum(os.times()[2:4])
     gc.collect()
     gc.freeze()
     gc.set_threshold(100_000, 50, 100)
@@ -50,10 +53,30 @@ def pytest_collection_finish() -> None:
 def pytest_runtest_makereport(item: pytest.Item) -> Generator[None, pytest.TestReport, pytest.TestReport]:
     """Add to a report how long was computed, which does not depend on what else the machine does as much."""
     report = yield
-    computed = sum(os.times()[:4])
-    report.computed = computed - item.session.stash.get(COMPUTED, computed)
-    item.session.stash[COMPUTED] = computed
+    stash = item.session.stash
+    times = os.times()
+    ended = times.children_user + times.children_system
+    # what goes on is asked after tests in a browser, and when something has ended, which may be what went on
+    known = stash.get(GOING_ON, 0.0)
+    if "browser" in getattr(item, "fixturenames", ()) or (known and ended != stash[ENDED]):
+        stash[GOING_ON] = _going_on()
+    stash[ENDED] = ended
+    computed = times.user + times.system + ended + stash.get(GOING_ON, 0.0)
+    report.computed = computed - stash[COMPUTED]
+    stash[COMPUTED] = computed
     return report
+
+
+def _going_on() -> float:
+    """Return how long the processes that this one has started, and that have not ended, have computed so far [s]."""
+    taken = 0.0
+    with suppress(ImportError):
+        import psutil
+
+        for process in psutil.Process().children(recursive=True):
+            with suppress(psutil.Error):
+                taken += sum(process.cpu_times()[:4])
+    return taken
 
 
 def pytest_terminal_summary(terminalreporter: Any, config: pytest.Config) -> None:

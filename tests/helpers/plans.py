@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
+from functools import cache
 
 import numpy as np
 import pytest
@@ -74,6 +75,7 @@ def size_of(plan: Plan, parts: int = 20) -> float:
     return float(max(np.ptp(plan.outline.flat(1e-3 * plan.extent), axis=0))) / parts
 
 
+@cache
 def meshed(plan: Plan, maker: Maker | None = None) -> PlanMesh:
     """Return the mesh of a plan with about twenty elements along its longer side."""
     return mesh(plan, size_of(plan), maker=maker)

@@ -22,9 +22,9 @@ KIP = 4448.2216152605
 FOOT = 0.3048
 
 
-@pytest.mark.parametrize(
-    ("text", "dimension", "value"),
-    [
+def test_units_are_understood() -> None:
+    """Units of engineers on both sides of the ocean give the value of their definition."""
+    for text, dimension, value in [
         ("9.6 m", "length", 9.6),
         ("200 mm", "length", 0.2),
         ("700 mm", "length", 0.7),
@@ -80,11 +80,8 @@ FOOT = 0.3048
         ("50 MN/m/m", "stiffness per length", 50e6),
         ("2 kPa/m^2", "pressure per area", 2e3),
         ("25 kN/m^3", "weight per volume", 25e3),
-    ],
-)
-def test_units_are_understood(text: str, dimension: str, value: float) -> None:
-    """Units of engineers on both sides of the ocean give the value of their definition."""
-    assert parse(text, dimension) == pytest.approx(value, rel=1e-14, abs=0)
+    ]:
+        assert parse(text, dimension) == pytest.approx(value, rel=1e-14, abs=0)
 
 
 @pytest.mark.parametrize("digits", ["0.7", "9.6", "123.456", "0.001", "20.660"])
@@ -94,9 +91,9 @@ def test_decimal_units_are_exact(digits: str) -> None:
     assert parse(f"{digits} N/mm^2", "pressure") == float(f"{digits}e6")
 
 
-@pytest.mark.parametrize(
-    ("text", "reason"),
-    [
+def test_nonsense_is_refused() -> None:
+    """What is no pressure is refused with an example and the reason, and nothing is ever evaluated."""
+    for text, reason in [
         ("30", "unit is missing"),
         ("1e5", "unit is missing"),
         ("MPa", "not a number"),
@@ -135,13 +132,10 @@ def test_decimal_units_are_exact(digits: str) -> None:
         ("1" * 50 + " Pa", "not written as a unit"),
         ("1 Pa" + " " * 100, "104 characters"),
         ("1 " + "m" * 90, "no unit that fits"),
-    ],
-)
-def test_nonsense_is_refused(text: str, reason: str) -> None:
-    """What is no pressure is refused with an example and the reason, and nothing is ever evaluated."""
-    with pytest.raises(ValueError, match=r'expected a pressure such as "30 MPa"') as error:
-        parse(text, "pressure")
-    assert reason in str(error.value)
+    ]:
+        with pytest.raises(ValueError, match=r'expected a pressure such as "30 MPa"') as error:
+            parse(text, "pressure")
+        assert reason in str(error.value)
 
 
 @pytest.mark.parametrize(

@@ -13,7 +13,7 @@ from groundslab.arrays import Array, Integers
 from groundslab.fem.assembly import scatter
 from groundslab.fem.mesh import SIDES
 from groundslab.fem.problem import Problem, W
-from groundslab.fem.shape_functions import areas, determinants, gauss, gradients, inverse_jacobian, q9
+from groundslab.fem.shape_functions import areas, determinants, gauss, gradients, inverse_jacobian, q9, q9_values
 from groundslab.fem.system import surface_settlement
 from groundslab.model.model import Model
 from groundslab.results.balance.beam_forces import squared_errors
@@ -145,7 +145,7 @@ def _ground_errors(solution: Solution) -> Array:
         if problem.symmetry[axis]:
             # the slope beyond the line, of the other sign, makes the mean zero
             star[parts[mesh.xy[..., axis] == 0.0], axis] = 0.0
-    error = np.einsum("pa,eaxs->epxs", q9(at_three)[0], star[parts]) - outer
+    error = np.einsum("pa,eaxs->epxs", q9_values(at_three), star[parts]) - outer
     dA = determinants(q9(at_three)[1], mesh.xy) * weights
     A1 = np.broadcast_to(column.A1, (m, S, S))
     squares: Array = np.einsum("ep,epxs,est,epxt->e", dA, error, A1, error, optimize=True)

@@ -9,7 +9,7 @@ import numpy as np
 
 from groundslab.arrays import Array, Integers
 from groundslab.fem.mesh import Mesh, local_coordinates, locate_nearest
-from groundslab.fem.shape_functions import q9
+from groundslab.fem.shape_functions import q9_values
 from groundslab.results.mirroring import ResultMesh
 from groundslab.results.recovery import MeshedFields
 
@@ -76,7 +76,7 @@ def _interpolation(coarse: Mesh, fine: Mesh) -> tuple[csr_array, Integers]:
     owner = np.empty(len(fine.nodes), dtype=np.int64)
     owner[fine.elements] = np.arange(len(fine.elements))[:, None]
     element = parent[owner]
-    N: Array = q9(local_coordinates(coarse, element, fine.nodes))[0]
+    N: Array = q9_values(local_coordinates(coarse, element, fine.nodes))
     nodes = coarse.elements[element]
     shape = len(fine.nodes), len(coarse.nodes)
     return csr_array((N.ravel(), nodes.ravel(), np.arange(0, nodes.size + 1, 9)), shape=shape), parent

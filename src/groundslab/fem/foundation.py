@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from groundslab.arrays import Array, Flags, Integers
-from groundslab.fem.shape_functions import CHUNK, derivatives, gauss, q9
+from groundslab.fem.shape_functions import CHUNK, derivatives, gauss, q9_values
 
 #: A number for one column of soil, or one for each of c columns, (c,).
 Values = float | Array
@@ -156,7 +156,7 @@ def mass_and_slope(xy: Array) -> tuple[Array, Array]:
     Four Gauss points each way, so that both are exact on rectangles and the mass on every straight-sided quadrilateral.
     """
     points, weights = gauss(4)
-    N = q9(points)[0]
+    N = q9_values(points)
     mass, slope = (np.empty((len(xy), 9, 9)) for _ in range(2))
     for start in range(0, len(xy), CHUNK):
         chunk = slice(start, start + CHUNK)

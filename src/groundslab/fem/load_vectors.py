@@ -16,7 +16,7 @@ import numpy as np
 from groundslab.arrays import Array, Flags, Integers, made_once_by
 from groundslab.fem.assembly import scatter
 from groundslab.fem.mesh import Mesh, local_coordinates, locate
-from groundslab.fem.shape_functions import determinants, gauss, gauss_line, q9
+from groundslab.fem.shape_functions import determinants, gauss, gauss_line, q9, q9_values
 from groundslab.geometry.plan import Segment
 
 if TYPE_CHECKING:
@@ -82,6 +82,14 @@ def _boxes(mesh: Mesh) -> tuple[Array, Array]:
     return np.ascontiguousarray((low - reach).T), np.ascontiguousarray((high + reach).T)
 
 
+def areas_within(mesh: Mesh, elements: Integers, part: Polygon) -> Array:
+    """Return the area (m,) [m2] of each element that lies in a polygon."""
+    from shapely import area, intersection, polygons
+
+    covered: Array = area(intersection(polygons(_outlines(mesh.nodes[mesh.elements[elements]])), part))
+    return covered
+
+
 def integrate_over_polygon(
     mesh: Mesh, elements: Integers, part: Polygon, pressure: Pressure = one, rule: int = PIECE_POINTS
 ) -> Array:
@@ -138,7 +146,7 @@ def _add_pieces(
     x = a[:, None] + points[:, :1] * b[:, None] + points[:, 1:] * c[:, None]
     dA = np.abs(b[:, 0] * c[:, 1] - b[:, 1] * c[:, 0])[:, None] * weights * pressure(x)
     element = np.repeat(elements[cut[owner] % len(elements)], len(weights))
-    N, _ = q9(local_coordinates(mesh, element, x.reshape(-1, 2)))
+    N = q9_values(local_coordinates(mesh, element, x.reshape(-1, 2)))
     np.add.at(shares, cut[owner], np.einsum("tp,tpa->ta", dA, N.reshape(*dA.shape, 9)))
 
 
@@ -216,7 +224,7 @@ def _integrate_at_points(mesh: Mesh, elements: Integers, points: Array, weights:
     if (owner < 0).any():
         raise ValueError(f"the point {points[np.argmin(owner)]} does not lie on the plate")
     shares = np.zeros((len(elements), 9))
-    np.add.at(shares, owner, weights[:, None] * q9(local)[0])
+    np.add.at(shares, owner, weights[:, None] * q9_values(local))
     return shares
 
 

@@ -12,7 +12,7 @@ import numpy as np
 
 from groundslab.arrays import Array, Flags, Integers, made_once_by
 from groundslab.errors import InputError, Issue
-from groundslab.fem.shape_functions import COLUMN, ROW, parallelograms, q9, unique_integers
+from groundslab.fem.shape_functions import COLUMN, ROW, parallelograms, q9_values, unique_integers
 from groundslab.geometry.plan import SAME_PLACE, Segment, format_place
 
 if TYPE_CHECKING:
@@ -190,16 +190,33 @@ def local_coordinates(mesh: Mesh, element: Integers, points: Array) -> Array:
     """
     used, which = unique_integers(element)
     xy = mesh.nodes[mesh.elements[used]]
-    # from the element's middle x = sum of C[i, j] xi^i eta^j; with straight sides that are halved, powers end at 1
-    C = np.einsum("ia,jb,mbax->xijm", MONOMIALS, MONOMIALS, (xy - xy[:, 8:])[:, GRID])
-    curved = np.maximum(abs(C[:, 2]), abs(C[:, :, 2])).max(axis=(0, 1)) > 1e-14 * abs(xy).max(axis=(1, 2))
+    # from the element's middle x = sum of C[i, j] xi^i eta^j; with straight sides that are halved, powers end at 1,
+    # and in parallelograms there is none of xi eta
+    C = np.einsum("ia,jb,mbax->xijm", MONOMIALS, MONOMIALS, (xy - xy[:, 8:])[:, GRID], optimize=True)
+    rounding = 1e-14 * abs(xy).max(axis=(1, 2))
+    curved = np.maximum(abs(C[:, 2]), abs(C[:, :, 2])).max(axis=(0, 1)) > rounding
+    skew = ~curved & (abs(C[:, 1, 1]).max(axis=0) > rounding)
     local = np.zeros((2, len(points)))
-    for powers, indices in ((2, np.flatnonzero(~curved[which])), (3, np.flatnonzero(curved[which]))):
+    flat = np.flatnonzero(~(curved | skew)[which])
+    if len(flat):
+        local[:, flat] = _in_parallelograms(C, xy[:, 8], which[flat], points[flat])
+    for powers, of_kind in ((2, skew), (3, curved)):
+        indices = np.flatnonzero(of_kind[which])
         for start in range(0, len(indices), _CHUNK):
             left = indices[start : start + _CHUNK]
             coefficients, offset = C[:, :powers, :powers, which[left]], (points[left] - xy[which[left], 8]).T
             local[:, left] = _invert(coefficients, offset)
     return local.T
+
+
+def _in_parallelograms(C: Array, middle: Array, which: Integers, points: Array) -> Array:
+    """Return where points (c, 2) are in parallelograms (c,) of those with coefficients C and middles: (2, c)."""
+    (x_xi, y_xi), (x_eta, y_eta) = C[:, 1, 0], C[:, 0, 1]
+    inverse = np.array([[y_eta, -x_eta], [-y_xi, x_xi]]) / (x_xi * y_eta - x_eta * y_xi)
+    dx, dy = (points - middle[which]).T
+    (xi_x, xi_y), (eta_x, eta_y) = inverse[:, :, which]
+    local: Array = np.clip([xi_x * dx + xi_y * dy, eta_x * dx + eta_y * dy], -1.5, 1.5)
+    return local
 
 
 def _invert(C: Array, offset: Array) -> Array:
@@ -277,7 +294,7 @@ def locate_nearest(mesh: Mesh, points: Array, elements: Integers | None = None) 
 def interpolate(mesh: Mesh, values: Array, where: MeshLocations) -> Array:
     """Return nodal values (n,) or (n, k) at places in elements, by the shape functions, (p,) or (p, k)."""
     element, place = where
-    result: Array = np.einsum("pa,pa...->p...", q9(place)[0], values[mesh.elements[element]])
+    result: Array = np.einsum("pa,pa...->p...", q9_values(place), values[mesh.elements[element]])
     return result
 
 

@@ -39,6 +39,13 @@ def q9(points: Array) -> tuple[Array, Array]:
     return Nx * Ny, dN
 
 
+def q9_values(points: Array) -> Array:
+    """Return N (p, 9) at points (p, 2), without derivatives."""
+    Nx, Ny = (np.stack([x * (x - 1) / 2, 1 - x * x, x * (x + 1) / 2], axis=-1) for x in points.T)
+    N: Array = Nx[:, COLUMN] * Ny[:, ROW]
+    return N
+
+
 @cache
 def gauss_line(n: int) -> tuple[Array, Array]:
     """Return the n-point Gauss rule on (-1, 1): points (n,), weights (n,)."""

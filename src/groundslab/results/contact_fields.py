@@ -8,7 +8,7 @@ from groundslab.arrays import Array, Integers
 from groundslab.fem.assembly import scatter
 from groundslab.fem.hanging import carry, find_hanging
 from groundslab.fem.problem import MIDSIDES, TOP
-from groundslab.fem.shape_functions import areas, q9
+from groundslab.fem.shape_functions import areas, q9_values
 from groundslab.fem.system import plate_settlement
 from groundslab.results.balance.forces import ground_forces
 from groundslab.results.edge_forces import ground_shear, pressure_forces, split_contact_force
@@ -204,7 +204,7 @@ def share_below_zero(values: Array) -> Array:
     """
     steps = np.linspace(-1.0, 1.0, PARTS + 1)
     points = np.column_stack([coordinate.ravel() for coordinate in np.meshgrid(steps, steps)])
-    at = (values @ q9(points)[0].T).reshape(-1, PARTS + 1, PARTS + 1)
+    at = (values @ q9_values(points).T).reshape(-1, PARTS + 1, PARTS + 1)
     low, right, up, far = at[:, :-1, :-1], at[:, :-1, 1:], at[:, 1:, :-1], at[:, 1:, 1:]
     halves = np.stack([np.stack([low, right, far], axis=-1), np.stack([low, up, far], axis=-1)], axis=-2)
     share: Array = _share_of_triangles(halves).mean(axis=(1, 2, 3))

@@ -10,7 +10,7 @@ import numpy as np
 
 from groundslab.arrays import Array, Flags, Integers
 from groundslab.fem.mesh import SIDES, Mesh, bounding_boxes, locate
-from groundslab.fem.shape_functions import q9
+from groundslab.fem.shape_functions import q9_values
 from groundslab.geometry.plan import FLAT, Place, Ring
 from groundslab.model.loads.acting import LineForce, PointForce
 from groundslab.model.model import Model
@@ -183,7 +183,7 @@ def _mean_over(disc: _Points, mesh: Mesh, nodes: Integers) -> csr_array:
     total = np.bincount(disc.row, weights=np.abs(disc.weight), minlength=len(nodes))
     # beside a sharp corner no point may be left: the value stays
     alone = np.flatnonzero(total == 0)
-    N = q9(disc.place)[0] * (disc.weight / total[disc.row])[:, None]
+    N = q9_values(disc.place) * (disc.weight / total[disc.row])[:, None]
     values = np.concatenate([N.ravel(), np.ones(len(alone))])
     rows = np.concatenate([np.repeat(disc.row, N.shape[1]), alone])
     columns = np.concatenate([mesh.elements[disc.element].ravel(), nodes[alone]])

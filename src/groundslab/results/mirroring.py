@@ -13,7 +13,7 @@ from groundslab.fem.hanging import find_hanging
 from groundslab.fem.load_vectors import nodal_area
 from groundslab.fem.mesh import SIDES, Mesh, mirror, renumber_by_rows, sides_along
 from groundslab.fem.problem import Problem
-from groundslab.fem.shape_functions import determinants, gauss, q9, unique_integers
+from groundslab.fem.shape_functions import determinants, gauss, q9, q9_values, unique_integers
 from groundslab.geometry.plan import Segment
 from groundslab.model.loads.acting import LineForce, borders_of
 from groundslab.model.loads.spreading import lines_without_width
@@ -114,7 +114,7 @@ def make_result_mesh(model: Model, problem: Problem) -> ResultMesh:
     mesh, node = split_by_section(problem, np.concatenate([jumps, zones]), depth)
     smooth, _ = split_by_section(problem, np.concatenate([jumps, zones, kinks]))
     edges = edge_sides(problem)
-    parts, points, images = smooth, q9(gauss(2)[0])[0] @ mesh.xy, list[tuple[int, Flags]]()
+    parts, points, images = smooth, q9_values(gauss(2)[0]) @ mesh.xy, list[tuple[int, Flags]]()
     for axis in (0, 1):
         if problem.symmetry[axis]:
             parts, points, copied = _beyond_the_line(parts, points, axis)

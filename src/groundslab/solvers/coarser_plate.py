@@ -16,7 +16,7 @@ from groundslab.fem.continuum.cells import Cells
 from groundslab.fem.hanging import connect
 from groundslab.fem.mesh import locate_nearest
 from groundslab.fem.problem import Problem, W
-from groundslab.fem.shape_functions import q9
+from groundslab.fem.shape_functions import q9_values
 from groundslab.solvers.plate_on_continuum import PlateOnContinuum
 
 if TYPE_CHECKING:
@@ -60,7 +60,7 @@ def _press_centers(coarse: Problem, cells: Cells, size: int) -> csr_array:
     elements, which = np.unique(element, return_inverse=True)
     w = coarse.plate.element.w_functions(mesh.nodes[mesh.elements[elements]])[which]
     moving, kind, P, _ = connect(mesh.elements)
-    share = np.einsum("ca,cab,cbd->cd", q9(place)[0], w, P[kind[element]], optimize=True)
+    share = np.einsum("ca,cab,cbd->cd", q9_values(place), w, P[kind[element]], optimize=True)
     unknown = coarse.unknown[moving[element], W]
     cell = np.broadcast_to(np.arange(len(cells.area))[:, None], unknown.shape)
     mask = unknown >= 0

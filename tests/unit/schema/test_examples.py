@@ -83,18 +83,20 @@ def test_every_part_is_walked() -> None:
     assert len(QUANTITIES) > 100
 
 
-@pytest.mark.parametrize("key", QUANTITIES)
-def test_examples_fit_their_field(key: str) -> None:
+def test_examples_fit_their_field() -> None:
     """Each quantity has an example of its own that the field takes, of a usual size, and one for the United States."""
-    quantity = QUANTITIES[key]
-    assert quantity.example, "has no example of its own"
-    customary = customary_example(quantity.example, quantity.dimension)
-    low, high = OF_KEYS.get(key, PLAUSIBLE[quantity.dimension])
-    for example in (quantity.example, customary):
-        value = quantity.read(example, from_file=True)
-        assert value == units.parse(example, quantity.dimension)
-        assert low <= value <= high
-    assert 0.7 <= units.parse(customary, quantity.dimension) / units.parse(quantity.example, quantity.dimension) <= 1.4
+    for key in QUANTITIES:
+        quantity = QUANTITIES[key]
+        assert quantity.example, "has no example of its own"
+        customary = customary_example(quantity.example, quantity.dimension)
+        low, high = OF_KEYS.get(key, PLAUSIBLE[quantity.dimension])
+        for example in (quantity.example, customary):
+            value = quantity.read(example, from_file=True)
+            assert value == units.parse(example, quantity.dimension)
+            assert low <= value <= high
+        assert (
+            0.7 <= units.parse(customary, quantity.dimension) / units.parse(quantity.example, quantity.dimension) <= 1.4
+        )
 
 
 @pytest.mark.parametrize(

@@ -44,11 +44,11 @@ def refused(key: FieldType, value: Any) -> bool:
     return False
 
 
-@pytest.mark.parametrize(("name", "key"), [(n, k) for n, k in KEYS if isinstance(k, Quantity | Number)])
-def test_sizes_without_sense_are_refused(name: str, key: Quantity | Number) -> None:
+def test_sizes_without_sense_are_refused() -> None:
     """No key takes numbers whose products a float cannot hold, be they too large or too near to zero."""
-    for value in (1e19, -1e19, 1e100, 1e308, math.inf, math.nan, 5e-324, 1e-310, 1e-100, -1e-100, 1e-31):
-        assert refused(key, value), f"{name} takes {value}"
+    for name, key in [(n, k) for n, k in KEYS if isinstance(k, Quantity | Number)]:
+        for value in (1e19, -1e19, 1e100, 1e308, math.inf, math.nan, 5e-324, 1e-310, 1e-100, -1e-100, 1e-31):
+            assert refused(key, value), f"{name} takes {value}"
 
 
 @pytest.mark.parametrize(("name", "key"), [(n, k) for n, k in KEYS if isinstance(k, Integer)])

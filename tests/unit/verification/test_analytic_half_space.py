@@ -48,23 +48,23 @@ def test_stress_by_forces() -> None:
     assert stress == pytest.approx(299.341104612446, rel=1e-7)
 
 
-@pytest.mark.parametrize("z", DEPTHS)
-@pytest.mark.parametrize(("x", "y"), POINTS)
-def test_stress_is_the_integral_over_the_rectangle(x: float, y: float, z: float) -> None:
+def test_stress_is_the_integral_over_the_rectangle() -> None:
     """Corners near the rectangle and Gauss's rule further away both integrate Boussinesq's stress by a force."""
-    (u, du), (v, dv) = (gauss(np.linspace(-side / 2, side / 2, 31), 8) for side in SIDES)
-    expected = du @ force_stress(x - u[:, None], y - v, z) @ dv
-    assert vertical_stress(x, y, z, SIDES) == pytest.approx(expected, rel=1e-10, abs=1e-14)
+    for x, y in POINTS:
+        for z in DEPTHS:
+            (u, du), (v, dv) = (gauss(np.linspace(-side / 2, side / 2, 31), 8) for side in SIDES)
+            expected = du @ force_stress(x - u[:, None], y - v, z) @ dv
+            assert vertical_stress(x, y, z, SIDES) == pytest.approx(expected, rel=1e-10, abs=1e-14)
 
 
-@pytest.mark.parametrize(("top", "bottom"), [(0.0, 0.5), (0.5, 3.0), (3.0, 50.0), (0.0, 400.0), (2.0, 2.0)])
-@pytest.mark.parametrize(("x", "y"), POINTS)
-def test_compression_is_the_integral_over_the_layer(x: float, y: float, top: float, bottom: float) -> None:
+def test_compression_is_the_integral_over_the_layer() -> None:
     """The closed form of int sigma_z dz agrees with quadrature of sigma_z to 1e-10."""
-    marks = top + (bottom - top) * np.concatenate([[0], 2.0 ** np.arange(-14, 1)])
-    z, dz = gauss(marks, 20)
-    expected = vertical_stress(x, y, z, SIDES) @ dz
-    assert compression(x, y, top, bottom, SIDES) == pytest.approx(expected, rel=1e-10, abs=1e-14)
+    for x, y in POINTS:
+        for top, bottom in [(0.0, 0.5), (0.5, 3.0), (3.0, 50.0), (0.0, 400.0), (2.0, 2.0)]:
+            marks = top + (bottom - top) * np.concatenate([[0], 2.0 ** np.arange(-14, 1)])
+            z, dz = gauss(marks, 20)
+            expected = vertical_stress(x, y, z, SIDES) @ dz
+            assert compression(x, y, top, bottom, SIDES) == pytest.approx(expected, rel=1e-10, abs=1e-14)
 
 
 @pytest.mark.parametrize("mean", [False, True])
@@ -107,17 +107,17 @@ def test_every_depth_carries_the_load() -> None:
     assert total == pytest.approx(1, abs=tail)
 
 
-@pytest.mark.parametrize("where", [FAR, 2 * FAR, REMOTE, 2 * REMOTE])
-@pytest.mark.parametrize("direction", [(1.0, 0.0, 0.0), (0.6, 0.8, 0.0), (0.0, 0.6, 0.8), (0.0, 0.0, 1.0)])
-@pytest.mark.parametrize("mean", [False, True])
-def test_methods_meet(where: float, direction: tuple[float, float, float], mean: bool) -> None:
+def test_methods_meet() -> None:
     """Where corners, Gauss's rule and its remote form hand over, the values on both sides agree."""
-    distance = where * math.hypot(*SIDES)
-    x, y, z = (np.array([1 - 1e-12, 1 + 1e-12]) * distance * c for c in direction)
-    inside, outside = vertical_stress(x, y, z + 1e-3, SIDES, mean)
-    assert inside == pytest.approx(outside, rel=1e-9, abs=1e-12)
-    inside, outside = compression(x, y, z, z + 5, SIDES, mean)
-    assert inside == pytest.approx(outside, rel=1e-9, abs=1e-12)
+    for mean in [False, True]:
+        for direction in [(1.0, 0.0, 0.0), (0.6, 0.8, 0.0), (0.0, 0.6, 0.8), (0.0, 0.0, 1.0)]:
+            for where in [FAR, 2 * FAR, REMOTE, 2 * REMOTE]:
+                distance = where * math.hypot(*SIDES)
+                x, y, z = (np.array([1 - 1e-12, 1 + 1e-12]) * distance * c for c in direction)
+                inside, outside = vertical_stress(x, y, z + 1e-3, SIDES, mean)
+                assert inside == pytest.approx(outside, rel=1e-9, abs=1e-12)
+                inside, outside = compression(x, y, z, z + 5, SIDES, mean)
+                assert inside == pytest.approx(outside, rel=1e-9, abs=1e-12)
 
 
 def test_far_points_feel_a_force() -> None:

@@ -9,7 +9,7 @@ import numpy as np
 
 from groundslab.arrays import Array
 from groundslab.fem.mesh import Mesh, MeshLocations, interpolate, locate
-from groundslab.fem.shape_functions import derivatives, gauss, q9
+from groundslab.fem.shape_functions import derivatives, gauss, q9_values
 from groundslab.results.fields import PLATE_FIELDS
 from groundslab.results.plate_result import PlateResult
 
@@ -82,7 +82,7 @@ def gauss_points(plate: PlateResult) -> Samples:
     points, weights = gauss(2)
     xy = plate.nodes[plate.elements]
     area = (derivatives(points, xy)[2] * weights).ravel()
-    places = np.einsum("pa,max->mpx", q9(points)[0], xy).reshape(-1, 2)
+    places = np.einsum("pa,max->mpx", q9_values(points), xy).reshape(-1, 2)
     return Samples(places, np.sqrt(area / area.sum()))
 
 

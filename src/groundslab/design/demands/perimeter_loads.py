@@ -233,7 +233,7 @@ def thickness_at(results: CombinationResult, footprint: Footprint) -> float:
     """Return the plate's least thickness under a footprint [m]."""
     mesh, part = Mesh(results.plate.nodes, results.plate.elements), footprint.footprint()
     elements = load_vectors.find_elements_near(mesh, part)
-    covered = load_vectors.integrate_over_polygon(mesh, elements, part).sum(axis=1)
+    covered = load_vectors.areas_within(mesh, elements, part)
     return float(results.elements.thickness[elements[covered > 1e-9 * covered.max()]].min())
 
 

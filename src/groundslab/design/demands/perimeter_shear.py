@@ -15,7 +15,7 @@ import numpy as np
 from groundslab.arrays import Array, Integers
 from groundslab.fem import load_vectors
 from groundslab.fem.mesh import Mesh, locate
-from groundslab.fem.shape_functions import q9, unique_integers
+from groundslab.fem.shape_functions import q9_values, unique_integers
 from groundslab.results.plate_result import PlateResult
 
 #: Straight pieces are no longer than this over the length that is averaged.
@@ -79,7 +79,7 @@ def perimeter_shear(
     inward = np.zeros((2, len(ds), len(nodes)))
     rows = np.repeat(np.arange(len(ds))[:, None], of_nodes.shape[1], axis=1)
     for axis in (0, 1):
-        np.add.at(inward[axis], (rows, which.reshape(of_nodes.shape)), q9(local[on])[0] * across[axis][:, None])
+        np.add.at(inward[axis], (rows, which.reshape(of_nodes.shape)), q9_values(local[on]) * across[axis][:, None])
     closed = bool((chain[0] == chain[-1]).all()) and bool(on.all())
     return PerimeterShear(ds, closed, middle[on], nodes, inward)
 
@@ -133,7 +133,7 @@ def moment_lines(plate: PlateResult, origin: Array, within: float) -> tuple[Mome
             element, local = locate(part, places)
             on = PLACES if (element >= 0).all() else max(int(np.argmin(element >= 0)), 1)
             nodes = part.elements[element[:on]]
-            lines.append(MomentLine(field, distances[:on], nodes, q9(local[:on])[0], at_edge=on < PLACES))
+            lines.append(MomentLine(field, distances[:on], nodes, q9_values(local[:on]), at_edge=on < PLACES))
     return tuple(lines)
 
 

@@ -461,7 +461,9 @@ def _cut_off(around: Surroundings, region: Polygon, *, filled: bool = False) -> 
 
     plan, boundary = (around.filled, around.rim) if filled else (around.plan, around.boundary)
     parts = get_parts(intersection(plan, region))
-    inside = orient(max(parts, key=lambda part: part.intersection(around.footprint).area))
+    # mostly there is one part alone
+    with_column = max(parts, key=lambda part: part.intersection(around.footprint).area) if len(parts) > 1 else parts[0]
+    inside = orient(with_column)
     rings = [get_coordinates(ring) for ring in (inside.exterior, *inside.interiors)]
     legs = np.concatenate([np.stack([ring[:-1], ring[1:]], axis=1) for ring in rings])
     legs = legs[np.linalg.norm(legs[:, 1] - legs[:, 0], axis=1) > around.rounding]

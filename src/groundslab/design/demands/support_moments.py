@@ -24,7 +24,7 @@ import numpy as np
 from groundslab.arrays import Array, Flags, Integers, made_once_by
 from groundslab.design.demands.design_moments import DesignMoments, design_moments
 from groundslab.fem.mesh import Mesh, boxes_of, locate
-from groundslab.fem.shape_functions import q9
+from groundslab.fem.shape_functions import q9_values
 from groundslab.geometry.plan import Segment
 from groundslab.messages import Message
 from groundslab.model.design.averaging import Averaging, along_axis
@@ -414,7 +414,7 @@ class _Builder:
 
         points = np.concatenate([lines.points.reshape(-1, 2) for lines in asked])
         element, place = locate(self.mesh, points, boxes=boxes_of(self.mesh))
-        N = q9(place)[0]
+        N = q9_values(place)
         part_of_element = self.part[self.mesh.elements[:, 0]]
         rows, columns, weights, inner = list[Any](), list[Any](), list[Any](), list[Any]()
         kept: dict[str, list[Any]] = {name: [] for name in Lines._fields[2:]}

@@ -12,7 +12,7 @@ from groundslab.arrays import Array, Integers
 from groundslab.design.demands.by_plate import results_by_plate
 from groundslab.errors import InputError, Issue
 from groundslab.fem.mesh import Mesh, boxes_of, locate
-from groundslab.fem.shape_functions import q9
+from groundslab.fem.shape_functions import q9_values
 from groundslab.geometry.plan import format_place
 from groundslab.results.plate_result import PlateResult
 from groundslab.results.results import CombinationResult
@@ -180,7 +180,7 @@ def deflections_between(plate: PlateResult, points: Mapping[str, tuple[float, fl
         if (((places - a) * (places - b)).sum(axis=1) < -ON_CIRCLE * squared).any():
             continue
         element, local = locate(mesh, (1 - along) * a + along * b, boxes=boxes_of(mesh))
-        w = np.einsum("pa,pa->p", q9(local)[0], plate.settlement[mesh.elements[element]])
+        w = np.einsum("pa,pa->p", q9_values(local), plate.settlement[mesh.elements[element]])
         off = np.abs(w - (1 - along[:, 0]) * w[0] - along[:, 0] * w[-1])
         most = int(np.argmax(np.where(element >= 0, off, -1.0)))
         settlements = float(w[0]), float(w[-1]), float(w[most])
@@ -209,7 +209,7 @@ def settlement_differences(plate: PlateResult, points: Mapping[str, tuple[float,
     ]
     if issues:
         raise InputError(issues)
-    w = np.einsum("pa,pa->p", q9(local)[0], plate.settlement[mesh.elements[element]])
+    w = np.einsum("pa,pa->p", q9_values(local), plate.settlement[mesh.elements[element]])
     plane = tilt(plate)
     off = w - (places - plane.center) @ np.array([plane.tilt_x, plane.tilt_y])
     difference = w[second] - w[first]

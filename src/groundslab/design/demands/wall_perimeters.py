@@ -20,7 +20,7 @@ import numpy as np
 from groundslab.arrays import Array, Flags, Integers
 from groundslab.fem import load_vectors
 from groundslab.fem.mesh import Mesh, locate
-from groundslab.fem.shape_functions import q9, unique_integers
+from groundslab.fem.shape_functions import q9_values, unique_integers
 from groundslab.geometry.plan import FLAT
 from groundslab.model.structure.wall_ends import WallEnd, WallLeg
 from groundslab.results.plate_result import PlateResult
@@ -226,6 +226,6 @@ def _read(plate: PlateResult, legs: Array) -> tuple[Flags, Integers, Array]:
     near = load_vectors.find_elements_near(mesh, box(*middle.min(axis=0), *middle.max(axis=0)))
     element, local = locate(Mesh(mesh.nodes, mesh.elements[near]), middle)
     on_mesh = element >= 0
-    N = np.where(on_mesh[:, None], q9(local)[0], 0.0)
+    N = np.where(on_mesh[:, None], q9_values(local), 0.0)
     inward = np.stack([-run[:, 1], run[:, 0]])[:, :, None] * N
     return on_mesh, mesh.elements[near[np.maximum(element, 0)]], inward

@@ -272,7 +272,7 @@ def field_of(results: CombinationResult, name: str) -> Array:
 def _value_at(results: CombinationResult, output: RequestedOutput) -> float:
     """Return a field at a point; what derives from moments is computed there, as it has kinks between the nodes."""
     from groundslab.fem.mesh import Mesh, locate
-    from groundslab.fem.shape_functions import q9
+    from groundslab.fem.shape_functions import q9_values
 
     plate = results.plate
     assert output.x is not None
@@ -280,7 +280,7 @@ def _value_at(results: CombinationResult, output: RequestedOutput) -> float:
     (element,), local = locate(Mesh(plate.nodes, plate.elements), np.array([[output.x, output.y]]))
     if element < 0:
         raise InputError([Issue(output.name, f"({output.x:g}, {output.y:g}) m", "a point on the plate")])
-    weights, nodes, thickness = q9(local)[0], plate.elements[element], results.elements.thickness[[element]]
+    weights, nodes, thickness = q9_values(local), plate.elements[element], results.elements.thickness[[element]]
     if output.of in _STEEL_FIELDS:
         moments = _design_moments(results)
         at_point = DesignMoments(**{layer: weights @ getattr(moments, layer)[nodes] for layer in LAYERS})

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from groundslab.fem.mesh import Mesh, interpolate, locate_nearest
-from groundslab.fem.shape_functions import q9
+from groundslab.fem.shape_functions import q9_values
 from groundslab.geometry.plan import DRAWN_CHORD
 from groundslab.messages import Message, capitalized, joined, quantity
 from groundslab.unit_systems import in_system
@@ -145,7 +145,7 @@ def facets(nodes: Array, elements: Integers, values: Sequence[Array], parts: int
     """
     t = np.linspace(-1, 1, parts + 1)
     xi = np.column_stack([np.tile(t, parts + 1), np.repeat(t, parts + 1)])
-    N = q9(xi)[0]
+    N = q9_values(xi)
     first = (np.arange(parts)[:, None] * (parts + 1) + np.arange(parts)).ravel()
     corner = first[:, None] + np.array([0, 1, parts + 2, parts + 1])
 

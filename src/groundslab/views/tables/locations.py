@@ -11,7 +11,7 @@ from groundslab.design.demands.design_moments import fields_of
 from groundslab.design.rules.combinations import solved_results
 from groundslab.errors import InputError
 from groundslab.fem.mesh import Mesh, locate
-from groundslab.fem.shape_functions import q9
+from groundslab.fem.shape_functions import q9_values
 from groundslab.messages import Message, Name
 from groundslab.model.outputs import OutputStrip
 from groundslab.model.plates.pits import pits_of
@@ -47,7 +47,7 @@ def points(combined: Results) -> Table:
         mesh = Mesh(plate.nodes, plate.elements)
         # a point on a curved edge may lie outside the elements' sides by a little
         element, local = locate(mesh, np.array([(point.x, point.y) for point in wanted]), reach=1e-3)
-        N, nodes = q9(local)[0], mesh.elements[element]
+        N, nodes = q9_values(local), mesh.elements[element]
         fields = {name: np.einsum("pa,pa->p", N, field[nodes]) for name, field in fields_of(plate).items()}
         values = np.column_stack(point_values(fields))
         for point, on, row in zip(wanted, element >= 0, values, strict=True):

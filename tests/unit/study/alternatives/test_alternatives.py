@@ -56,7 +56,7 @@ f_ck = "30 MPa"   # C30/37
 f_yk = "500 MPa"
 bottom = ["50 mm", "66 mm"]
 top = ["50 mm", "66 mm"]
-proposal = {diameters = ["12 mm", "16 mm", "20 mm"], most_zones = 2}
+proposal = {diameters = ["16 mm", "20 mm"], spacings = ["100 mm", "150 mm"], most_zones = 1}
 
 [[columns]]
 name = "A"

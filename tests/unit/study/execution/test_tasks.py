@@ -79,29 +79,29 @@ def test_one_loss_alone_is_enough(loss: Loss, message: str) -> None:
     assert tasks.finish(task, loss) == [WorkerFailure(1, message)]
 
 
-@pytest.mark.parametrize("seed", range(50))
-def test_nobody_is_blamed_for_another(seed: int) -> None:
+def test_nobody_is_blamed_for_another() -> None:
     """Whatever else dies beside killers, and of an accident, exactly the killers have no row; all others have one."""
-    chance = random.Random(seed)
-    count, threads = chance.randint(1, 120), chance.randint(1, 4)
-    killers = set(chance.sample(range(1, count + 1), min(count, chance.randint(0, 3))))
-    accidents = 1
-    tasks, pending = Tasks(variants(count)), list[Sequence[Variant]]()
-    outcomes = Counter[tuple[int, bool]]()
-    while more := [*pending, *tasks.next(16 * threads - len(pending), threads, idle=not pending)]:
-        chance.shuffle(more)
-        task, *pending = more
-        dies = any(variant.number in killers for variant in task)
-        if accidents and chance.random() < 0.05:
-            dies, accidents = True, 0
-        # those beside it at the same worker, and those whose rows had not been fetched from it
-        beside = chance.randint(0, len(pending)) if dies else 0
-        ended = [(task, DIED if dies else rows_of(task)), *((other, DIED) for other in pending[:beside])]
-        pending = pending[beside:]
-        for variants_of_task, outcome in ended:
-            for made in tasks.finish(variants_of_task, outcome):
-                outcomes[made.number, isinstance(made, Row)] += 1
-    assert outcomes == Counter({(number, number not in killers): 1 for number in range(1, count + 1)})
+    for seed in range(50):
+        chance = random.Random(seed)
+        count, threads = chance.randint(1, 120), chance.randint(1, 4)
+        killers = set(chance.sample(range(1, count + 1), min(count, chance.randint(0, 3))))
+        accidents = 1
+        tasks, pending = Tasks(variants(count)), list[Sequence[Variant]]()
+        outcomes = Counter[tuple[int, bool]]()
+        while more := [*pending, *tasks.next(16 * threads - len(pending), threads, idle=not pending)]:
+            chance.shuffle(more)
+            task, *pending = more
+            dies = any(variant.number in killers for variant in task)
+            if accidents and chance.random() < 0.05:
+                dies, accidents = True, 0
+            # those beside it at the same worker, and those whose rows had not been fetched from it
+            beside = chance.randint(0, len(pending)) if dies else 0
+            ended = [(task, DIED if dies else rows_of(task)), *((other, DIED) for other in pending[:beside])]
+            pending = pending[beside:]
+            for variants_of_task, outcome in ended:
+                for made in tasks.finish(variants_of_task, outcome):
+                    outcomes[made.number, isinstance(made, Row)] += 1
+        assert outcomes == Counter({(number, number not in killers): 1 for number in range(1, count + 1)})
 
 
 def test_how_a_process_ended() -> None:

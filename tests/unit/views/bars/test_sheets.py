@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from functools import cache
 from itertools import combinations
 from pathlib import Path
 from typing import Any
@@ -53,6 +55,12 @@ def links() -> list[LinkLayout]:
     return [LinkLayout("column", "A", (-3.0, -2.0), "ULS", "by hand", 0.010, 0.22, tuple(rows))]
 
 
+@cache
+def drawn(paper: Any) -> Sequence[Sheet]:
+    """Return the sheets of the slab with links on a paper."""
+    return tuple(draw_sheets(slab(), links(), paper))
+
+
 def texts_of(sheet: Sheet) -> list[Text]:
     """Return the texts of a sheet."""
     return [shape for shape in sheet.shapes if isinstance(shape, Text)]
@@ -82,7 +90,7 @@ def test_the_largest_scale_that_fits() -> None:
 def test_a_sheet_for_each_layer_for_edges_and_for_links() -> None:
     """All at one scale, numbered, with the plan to scale; the list has the marks of the layer alone."""
     of = slab()
-    sheets = draw_sheets(of, links(), "a2")
+    sheets = drawn("a2")
     assert [sheet.title for sheet in sheets] == list(TITLES.values())
     assert len({sheet.scale for sheet in sheets}) == 1
     marks = []
@@ -100,7 +108,7 @@ def test_a_sheet_for_each_layer_for_edges_and_for_links() -> None:
 @pytest.mark.parametrize("paper", ["a1", "a2", "a3"])
 def test_no_text_covers_another(paper: Any) -> None:
     """On none of the sheets, with six zones of which one lies in another; all texts are within the frame."""
-    for sheet in draw_sheets(slab(), links(), paper):
+    for sheet in drawn(paper):
         texts = texts_of(sheet)
         boxes = {id(text): np.array(box_of(text)).reshape(2, 2) for text in texts}
         for one, other in combinations(texts, 2):
@@ -161,7 +169,7 @@ def test_chains_of_dimensions() -> None:
 
 def test_links_are_dots_with_marks() -> None:
     """Each leg where it is; the label says perimeters and distances."""
-    sheet = draw_sheets(slab(), links(), "a2")[-1]
+    sheet = drawn("a2")[-1]
     dots = [shape for shape in sheet.shapes if isinstance(shape, Circle) and shape.layer == "LINKS"]
     places = np.concatenate([row.places for row in links()[0].perimeters]) * sheet.per_meter + sheet.origin
     assert np.array([dot.center for dot in dots[: len(places)]]) == pytest.approx(places)

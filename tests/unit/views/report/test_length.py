@@ -13,6 +13,7 @@ from groundslab.case.casefile import load
 from groundslab.design.rules.check import DesignCheck
 from groundslab.model.outputs import CHAPTERS
 from groundslab.results.results import Results
+from groundslab.views.report import html
 from groundslab.views.report.calculations import Sheet
 from groundslab.views.report.content import build_report
 from groundslab.views.report.document import Part, Report
@@ -32,8 +33,11 @@ def raft() -> Results:
 
 @pytest.fixture(scope="module")
 def both(raft: Results) -> tuple[Report, Report]:
-    """Return the short and the full report."""
-    return build_report(raft, length="short"), build_report(raft)
+    """Return the short and the full report; what their drawings show is of no account here."""
+    with pytest.MonkeyPatch.context() as patched:
+        nothing = b'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 1 1"/>'
+        patched.setattr("matplotlib.figure.Figure.savefig", lambda _, file, **__: file.write(nothing))
+        return build_report(raft, length="short"), build_report(raft)
 
 
 def blocks_of(report: Report, name: str) -> list[object]:
@@ -114,9 +118,16 @@ def test_no_table_that_it_has_is_left_out_for_its_length() -> None:
     assert list(shorten_tables([long])) == [long]
 
 
-def test_the_case_decides(raft: Results) -> None:
+def test_the_case_decides(raft: Results, monkeypatch: pytest.MonkeyPatch) -> None:
     """The page is full unless the case or the caller says otherwise."""
     asked = replace(raft, model=raft.model.replace(report={"length": "short"}))
-    assert 'id="certificate"' in render_report(raft)
-    assert 'id="certificate"' not in render_report(asked)
-    assert 'id="certificate"' in render_report(asked, length="full")
+    lengths: list[str] = []
+
+    def build(*_: object) -> Report:
+        lengths.append(str(_[-1]))
+        return build_report(raft, chapters=["certificate"])
+
+    monkeypatch.setattr(html, "build_report", build)
+    pages = [render_report(raft), render_report(asked), render_report(asked, length="full")]
+    assert lengths == ["full", "short", "full"]
+    assert all('id="certificate"' in page for page in pages)

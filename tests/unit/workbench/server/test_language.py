@@ -12,11 +12,13 @@ from urllib.parse import unquote
 
 import pytest
 
+from groundslab.case import casefile
 from groundslab.languages import LANGUAGES, translator
 from groundslab.messages import Label, Message, Name
 from groundslab.results.records import Step
 from groundslab.views.summary.progress import CombinationCount, line
 from helpers import asgi
+from helpers.combinations import few
 
 pytest.importorskip("fastapi")
 from groundslab.workbench.events import encode_event
@@ -26,9 +28,7 @@ from unit.workbench.server.test_exports import GOOD, Bench
 EXAMPLES = Path(__file__).parents[4] / "examples"
 pytestmark = pytest.mark.slow
 
-CASE = re.sub(
-    r"\[mesh\]\n.*", '[mesh]\nsize = "1.5 m"', (EXAMPLES / "house_raft.toml").read_text(encoding="utf-8"), flags=re.S
-)
+CASE = casefile.to_toml(few(casefile.load(EXAMPLES / "house_raft.toml")).replace(mesh={"size": 1.5}))
 #: Words that tell English from the other languages.
 ENGLISH = re.compile(r"\b(?:the|of|is|are|and|not|with|which|than|from|where)\b")
 #: What the user has written, what programs read, and errors of the case file, which are English.
@@ -84,7 +84,7 @@ def test_answers_have_no_english_sentence_and_the_same_numbers(bench: Bench) -> 
     paths = ["state", f"results/{run}/summary", *(f"results/{run}/tables/{name}" for name in tables)]
     for path in paths:
         english = ask(bench, path, "en").json()
-        for language in set(LANGUAGES) - {"en"}:
+        for language in LANGUAGES.keys() - {"en"}:
             said = ask(bench, path, language).json()
             assert english_of(texts_of(said)) == [], (path, language)
             for before, after in zip(texts_of(english), texts_of(said), strict=True):

@@ -8,7 +8,7 @@ import numpy as np
 
 from groundslab.arrays import Array, Flags, Integers
 from groundslab.fem.mesh import SIDES, Mesh, boxes_of, local_coordinates, locate
-from groundslab.fem.shape_functions import gauss_line, q9
+from groundslab.fem.shape_functions import gauss_line, q9_values
 
 #: Nodes closer than this to the line, relative to its length, lie on it; shorter pieces are nothing but rounding.
 ON_LINE = 1e-9
@@ -86,7 +86,7 @@ def interpolation(mesh: Mesh, line: Pieces, piece: Integers, s: Array) -> tuple[
     At the end of a piece this is the limit from within its element.
     """
     element = line.element[piece]
-    N, _ = q9(local_coordinates(mesh, element, line.points(piece, s)))
+    N = q9_values(local_coordinates(mesh, element, line.points(piece, s)))
     return mesh.elements[element], N
 
 
