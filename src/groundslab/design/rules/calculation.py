@@ -26,7 +26,7 @@ BY_CHORDS = 5e-5
 #: A symbol in a formula, such as v_Rd,c: a comma that belongs to it is followed by no space.
 SYMBOL = re.compile(r"[A-Za-z]\w*(?:,\w+)*'?")
 #: What formulas call, angles being in radians, and numbers with a name; the rest are symbols.
-FUNCTIONS = ("max", "min", "sqrt", "abs", "ceil", "floor", "exp", "sin", "cos", "tan", "atan")
+FUNCTIONS = ("max", "min", "sqrt", "abs", "ceil", "floor", "exp", "log10", "sin", "cos", "tan", "atan")
 CONSTANTS = ("pi",)
 
 
