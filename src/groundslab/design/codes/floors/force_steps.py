@@ -121,7 +121,7 @@ def _single(lines: YieldSlab, a: float, location: Location, symbols: Sequence[st
     of_a, of_force, *between = symbols
     force, r = yield_lines.single(lines, a, location), f"({of_a} / l)"
     if a / lines.l >= LARGE:
-        yield Step(_fails(location), of_force, force / MEGA, "MN", FORMULAS[f"large {location}"].format(r=r), _CLAUSE)
+        yield Step(_fails(location), of_force, force / MEGA, "MN", FORMULAS[f"large_{location}"].format(r=r), _CLAUSE)
         return
     bounds = yield_lines.bounds_of_single(lines, location)
     yield from _between(bounds, location, between, _fails(location))
@@ -141,7 +141,7 @@ def _between(bounds: tuple[float, float], of: str, symbols: Sequence[str], words
     """Yield the loads [N] for a / l = 0 and 0.2."""
     for size, share, value, symbol in zip(("small", "large"), (0.0, LARGE), bounds, symbols, strict=True):
         of_circle = Message("{text}, of a circle with a / l = {share:g}", text=words, share=share)
-        formula = FORMULAS[f"{size} {of}"].format(r=f"{LARGE:g}")
+        formula = FORMULAS[f"{size}_{of}"].format(r=f"{LARGE:g}")
         yield Step(of_circle, symbol, value / MEGA, "MN", formula, _CLAUSE)
 
 
@@ -174,7 +174,7 @@ def _together(
     inside = yield_lines.group(lines, least.a, distances, "internal")
     words = "sum of forces inside at which yield lines form around all of them"
     if least.a / lines.l >= LARGE:
-        yield Step(words, "P_g", inside / MEGA, "MN", FORMULAS["large group"].format(r=r), _CLAUSE)
+        yield Step(words, "P_g", inside / MEGA, "MN", FORMULAS["large_group"].format(r=r), _CLAUSE)
     else:
         between = ("P_c", "P_d")
         yield from _between(yield_lines.bounds_of_group(lines, distances), "group", between, words)

@@ -107,7 +107,7 @@ def line_load(floor: TR34Floor, slab: Slab, piece: LinePiece, *, at_edge: bool) 
     yield Step(Message("factor of {case}", case=case), "gamma_F", factor)
     yield Step("line load", "q", factor * q / MEGA, "MN/m", "gamma_F * q_k")
     most = strips.line_load(resistance.plain_moment(concrete_of(floor), slab.h), slab.lam, at_edge)
-    formula = strips.FORMULAS["line load at an edge" if at_edge else "line load"]
+    formula = strips.FORMULAS["at_edge" if at_edge else "inside"]
     yield Step("line load that the slab resists", "q_R", most / MEGA, "MN/m", formula, "TR34, Hetenyi 1946")
     yield Step(SHARE, "eta", factor * q / most, "", "q / q_R")
 
@@ -143,7 +143,7 @@ def pressure(floor: AnyFloor, slab: Slab, loads: Pressure, allowed: float) -> It
         yield Step(words, "q_w", loads.everywhere / MEGA, "MPa")
         terms.append("q_w")
     yield Step("pressure", "q", loads.total / MEGA, "MPa", " + ".join(terms))
-    words, formula = "pressure that may stand beside any aisle", strips.FORMULAS["aisle"].format(M=M)
+    words, formula = "pressure that may stand beside any aisle", strips.FORMULAS["aisle"].replace("M_n", M)
     yield Step(words, "q_R", allowed / MEGA, "MPa", formula, "Hetenyi 1946")
     yield Step(SHARE, "eta", loads.total / allowed, "", "q / q_R")
 
@@ -188,7 +188,7 @@ def allowed_stress(floor: ACI360Floor) -> Iterator[Step]:
         yield Step("load repetitions over the life of the floor, for fatigue", "N", N)
         few = resistance.allowed_repetitions(resistance.STRAIGHT) >= N
         formula = resistance.FORMULAS["r_N" if few else "r_N often"]
-        words, clause = "stress over the modulus of rupture that may be repeated so often", "ACI 360R-10 table 5.3"
+        words, clause = "stress over the modulus of rupture that may be repeated so often", "PCA 1984"
         yield Step(words, "r_N", resistance.allowed_ratio(N), "", formula, clause)
         terms = f"min({terms}, r_N, 1)"
     elif floor.R_e3 is not None:

@@ -17,9 +17,9 @@ INSIDE, AT_EDGE = 1 / 4, 1 / 3
 #: The formulas of the functions here, with forces in MN, stresses in MPa and lengths in m.
 FORMULAS = {
     "lambda": "(3 * k / (E * h^3))^(1/4)",
-    "line load": f"{1 / INSIDE:g} * lambda * M_n",
-    "line load at an edge": f"{1 / AT_EDGE:g} * lambda * M_n",
-    "aisle": "2 * lambda^2 * {M} / (sin(pi / 4) / exp(pi / 4) - sin(5 * pi / 4) / exp(5 * pi / 4))",
+    "inside": f"{1 / INSIDE:g} * lambda * M_n",
+    "at_edge": f"{1 / AT_EDGE:g} * lambda * M_n",
+    "aisle": "2 * lambda^2 * M_n / (sin(pi / 4) / exp(pi / 4) - sin(5 * pi / 4) / exp(5 * pi / 4))",
 }
 
 

@@ -21,14 +21,14 @@ MEYERHOF: dict[Location, tuple[float, float]] = {"internal": (6.0, 2.0), "edge":
 #: The formulas of the functions here, with forces in MN and lengths in m; {r} is a / l.
 FORMULAS = {
     "l": "(E * h^3 / (12 * (1 - nu^2) * k))^(1/4)",
-    "small internal": "2 * pi * (M_p + M_n)",
-    "small edge": "pi / 2 * (M_p + M_n) + 2 * M_n",
-    "small corner": "2 * M_n",
-    "large internal": "4 * pi * (M_p + M_n) / (1 - {r} / 3)",
-    "large edge": "(pi * (M_p + M_n) + 4 * M_n) / (1 - 2 * {r} / 3)",
-    "large corner": "4 * M_n / (1 - {r})",
-    "small group": "(2 * pi + 1.8 * x / l) * (M_p + M_n)",
-    "large group": "(4 * pi / (1 - {r} / 3) + 1.8 * x / l / (1 - {r} / 2)) * (M_p + M_n)",
+    "small_internal": "2 * pi * (M_p + M_n)",
+    "small_edge": "pi / 2 * (M_p + M_n) + 2 * M_n",
+    "small_corner": "2 * M_n",
+    "large_internal": "4 * pi * (M_p + M_n) / (1 - {r} / 3)",
+    "large_edge": "(pi * (M_p + M_n) + 4 * M_n) / (1 - 2 * {r} / 3)",
+    "large_corner": "4 * M_n / (1 - {r})",
+    "small_group": "(2 * pi + 1.8 * x / l) * (M_p + M_n)",
+    "large_group": "(4 * pi / (1 - {r} / 3) + 1.8 * x / l / (1 - {r} / 2)) * (M_p + M_n)",
 }
 
 
