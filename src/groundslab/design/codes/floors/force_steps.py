@@ -69,6 +69,7 @@ def by_tr34(
     kinds = kinds_of(members)
     for kind in kinds:
         yield from _acting(kind, floor.joint_transfer)
+        yield from _circle(kind)
     yield from _place(members, slab.l)
     for kind in kinds:
         yield from _single(lines, kind.force.a, location, [kind.named(symbol) for symbol in ("a", "P_u", "P_a", "P_b")])
@@ -83,7 +84,7 @@ def by_tr34(
 
 
 def _acting(kind: Kind, transfer: float) -> Iterator[Step]:
-    """Yield a force by its load cases, what joints carry over of it, and the circle that it stands on."""
+    """Yield a force by its load cases, and what joints carry over of it."""
     force, named = kind.force, kind.named
     if kind.end:
         yield Step("number of such forces", named("n"), kind.count)
@@ -98,6 +99,11 @@ def _acting(kind: Kind, transfer: float) -> Iterator[Step]:
         yield Step("share of a load at the plate's edge that joints transfer to the next bay", named("t_j"), transfer)
         formula = f"(1 - {named('t_j')}) * ({formula})"
     yield Step("force on the slab", named("P"), force.share * force.P / MEGA, "MN", formula)
+
+
+def _circle(kind: Kind) -> Iterator[Step]:
+    """Yield the circle that a force stands on."""
+    force, named = kind.force, kind.named
     yield Step("area that the loads stand on or enclose", named("A"), force.shape.area, "m2")
     yield Step("radius of a circle of this area", named("a"), force.a, "m", f"sqrt({named('A')} / pi)")
 
@@ -164,7 +170,7 @@ def _together(
     total = sum(force.share * force.P for force in members)
     yield Step("sum of the forces", "P_s", total / MEGA, "MN", sum_of("P"))
     alone = sum(yield_lines.single(lines, force.a, location) for force in members)
-    yield Step("what they bear each by itself", "P_1", alone / MEGA, "MN", sum_of("P_u"), _CLAUSE)
+    yield Step("what they bear each by itself", "P_0", alone / MEGA, "MN", sum_of("P_u"), _CLAUSE)
     words = "distance of both forces" if len(members) == 2 else "sum of both sides of the rectangle between the forces"
     yield Step(words, "x", distances, "m")
     least = min(members, key=lambda force: force.a)
@@ -179,11 +185,11 @@ def _together(
         between = ("P_c", "P_d")
         yield from _between(yield_lines.bounds_of_group(lines, distances), "group", between, words)
         yield _linear(inside, "P_g", between, a, words)
-    formula = "min(P_1, P_g)"
+    formula = "min(P_0, P_g)"
     if location != "internal":
         here = next(kind for kind in kinds if math.isclose(kind.force.a, least.a, rel_tol=1e-8))
         yield from _single(lines, least.a, "internal", (a, "P_i", "P_e", "P_f"))
-        formula = f"min(P_1, P_g * {here.named('P_u')} / P_i)"
+        formula = f"min(P_0, P_g * {here.named('P_u')} / P_i)"
     words = "sum of forces at which the slab fails, less at edges and corners as that of single ones"
     resists = yield_lines.together(lines, [force.a for force in members], distances, location)
     yield Step(words, "P_R", resists / MEGA, "MN", formula, _CLAUSE)
@@ -199,6 +205,7 @@ def by_meyerhof(floor: ACI360Floor, slab: Slab, force: Force) -> Iterator[Step]:
     yield Step(words, "M_0", M_0 / MEGA, "MNm/m", "f_r * (1 + R_e,3) * h^2 / 6", clause)
     (kind,) = kinds_of((force,))
     yield from _acting(kind, floor.joint_transfer)
+    yield from _circle(kind)
     yield from _place((force,), slab.l)
     factor, growth = MEYERHOF[force.location]
     P_u = yield_lines.meyerhof(M_0, force.a, slab.l, force.location)
