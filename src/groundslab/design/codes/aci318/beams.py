@@ -80,9 +80,9 @@ def flange_steps(steel: Reinforcement, limit_state: str, flange: Flange) -> Iter
     """Yield the calculation from the stress between web and flange to the bars across at one place."""
     concrete, bars = materials(steel)
     limit, stress = flange_limit(steel, limit_state), float(flange.stress[0])
-    yield Step("specified strength of the concrete", "f_c", concrete.f_c / MEGA, "MPa", clause="19.2.1.1")
+    yield Step("specified strength of the concrete", "f_c'", concrete.f_c / MEGA, "MPa", clause="19.2.1.1")
     yield Step("strength reduction factor", "phi", PHI_SHEAR, clause="Table 21.2.1")
-    formula = "phi * min(0.2 * f_c, 3.3 + 0.08 * f_c, 11)"
+    formula = "phi * min(0.2 * f_c', 3.3 + 0.08 * f_c', 11)"
     yield Step("most that friction bears", "tau_max", limit / MEGA, "MPa", formula, "Table 22.9.4.4")
     yield Step("share used", "eta", stress / limit, "", "tau / tau_max", "22.9.4.4")
     if stress > limit:
@@ -157,7 +157,7 @@ def web_steps(steel: Reinforcement, limit_state: str, webs: Web) -> Iterator[Ste
     need, (A_cp, A_oh, p_h) = web(steel, limit_state, webs), _areas(webs)
     f_y, twisted = min(bars.f_y, MOST_F_YT), bool(need.torsion[0] > 0)
     yield from force_steps(webs, ("V_u", "T_u"))
-    yield Step("specified strength of the concrete", "f_c", concrete.f_c / MEGA, "MPa", clause="19.2.1.1")
+    yield Step("specified strength of the concrete", "f_c'", concrete.f_c / MEGA, "MPa", clause="19.2.1.1")
     yield Step("its root as it counts", "r", concrete.root / MEGA, "MPa", FORMULAS["root"], "22.5.3.1, 22.7.2.1")
     yield Step("strength reduction factor", "phi", PHI_SHEAR, clause="Table 21.2.1")
     yield Step("area of the web", "A_cp", float(A_cp[0]), "m2", "b_w * h", "22.7.4.1")
