@@ -6,15 +6,17 @@ import math
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from typing import Literal
 
 from groundslab.arrays import Array
 from groundslab.design.demands.loads.building_loads import BUILDING
 from groundslab.design.demands.perimeter_loads import CaseInside, MomentParts
 from groundslab.design.demands.perimeter_pieces import WeightedLegs
-from groundslab.design.rules.punching_links.demand import Support
 from groundslab.messages import Message, Name
 
 MEGA = 1e6
+#: What punches a slab.
+Support = Literal["column", "pile", "zone", "wall end"]
 #: What pushes at a zone, and what pulls at it.
 ZONE = "force of the columns on the zone, less that of piles below it"
 ZONE_PULLS = "pull of the columns on the zone and push of the piles below it"

@@ -36,6 +36,7 @@ from groundslab.design.rules.calculation import (
     MEGA,
     SAME,
     Step,
+    Support,
     axis_step,
     depth_steps,
     from_below,
@@ -47,7 +48,6 @@ from groundslab.design.rules.calculation import (
     width_steps,
 )
 from groundslab.design.rules.punching_beta import beta_in_steps, other_betas_in_steps
-from groundslab.design.rules.punching_links.demand import Support
 from groundslab.messages import Message, Name
 from groundslab.model.design.reinforcement import Reinforcement
 
