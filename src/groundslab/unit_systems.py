@@ -28,6 +28,7 @@ def _customary(name: str, size: float) -> tuple[str, float]:
 CUSTOMARY: Mapping[str, tuple[str, float]] = MappingProxyType(
     {
         "m": _customary("ft", FOOT),
+        "1/m": _customary("1/ft", 1 / FOOT),
         "mm": _customary("in", INCH * 1e3),
         "m2": _customary("ft2", FOOT**2),
         "cm2": _customary("in2", INCH**2 * 1e4),

@@ -12,7 +12,7 @@ from groundslab.views.tables.table import Table
 
 #: What formulas call.
 NAMES = {"max": max, "min": min, "abs": abs} | {
-    name: getattr(math, name) for name in ("sqrt", "ceil", "floor", "exp", "sin", "cos", "tan", "atan", "pi")
+    name: getattr(math, name) for name in ("sqrt", "ceil", "floor", "exp", "log10", "sin", "cos", "tan", "atan", "pi")
 }
 
 

@@ -16,10 +16,10 @@ from groundslab.unit_systems import (
 )
 from groundslab.units import DIMENSIONS, UNITS, QuantityError, parse
 
-#: Sizes of the customary units of what no quantity of a case is: masses, volumes, roots.
+#: Sizes of the customary units of what no quantity of a case is: masses, volumes, roots, inverses.
 OTHERS = {
     "kg": 0.45359237, "kg/m2": 0.45359237 / 0.3048**2, "kg/m3": 0.45359237 / 0.3048**3, "m3": 0.3048**3,
-    "MPa^0.5": 0.006894757293168361**0.5,
+    "MPa^0.5": 0.006894757293168361**0.5, "1/m": 1 / 0.3048,
 }  # fmt: skip
 
 

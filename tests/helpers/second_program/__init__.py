@@ -25,16 +25,16 @@ ANALYSIS = {
     "e_p,2", "p_m,0", "A_i,0", "p_m,l", "A_i,l", "h_i", "h_i,0", "h_i,l", "theta_1", "v_m", "a_p", "v_l", "V", "A_req",
     "beta_s", "beta_e_s",
     "u_l", "u_i", "a_l", "a_i", "w", "w_1", "w_2", "p", "f", "e", "S_xx", "S_yy", "S_xy", "S_xw", "S_yw", "m_a",
-    "m_b", "b", "A_l",
+    "m_b", "b", "A_l", "N_b",
 }  # fmt: skip
 #: What the case says: sizes, bars, places and limits.
 CASE = {
     "h", "a_x", "a_y", "a_1", "c_1", "c_2", "s_1", "s_2", "phi", "s", "c", "a", "A_x", "A_y", "A_s", "phi_1", "phi_2",
     "x_2", "phi_w", "d_w", "n_w", "a_F", "w_max", "w_max,lim", "c_s", "p_max,lim", "omega_lim", "beta_lim", "x_1",
-    "y_1", "y_2", "f_ck", "f_c", "f_c'", "f_yk", "f_y", "f_y'", "gamma_C", "gamma_S", "gamma_V", "D_lower", "k_tc",
+    "y_1", "y_2", "f_ck", "f_c'", "f_yk", "f_y", "f_y'", "gamma_C", "gamma_S", "gamma_V", "D_lower", "k_tc",
     "b_1", "L_1", "t", "alpha", "c_c", "beta_1", "cot_max", "Delta_c,dev", "c_nom", "beta", "s_r",
 } | {
-    f"{name}{k}{of}" for name in ("gamma_", "gamma_s,", "Q_") for k in range(1, 5) for of in ("", ",0", ",l")
+    f"{name}{k}{of}" for name in ("gamma_", "gamma_s,", "F_") for k in range(1, 5) for of in ("", ",0", ",l")
 }  # fmt: skip
 
 
@@ -62,6 +62,7 @@ class Line(NamedTuple):
 DRAWN = {
     "u", "u_w", "u_o", "u_R", "u_0", "b_05", "b_o", "b_w", "b_0", "b_g", "u_r", "W_1", "W_2", "W_1,R", "W_2,R", "e_1",
     "e_2", "e_1,R", "e_2,R", "x_1", "x_2", "I_1", "I_2", "I_12", "l_1", "l_2", "l_12", "c_1", "c_2", "b_1", "b_2",
+    "u_w,l", "u_w,i", "u_o,l", "u_o,i",
 }  # fmt: skip
 
 

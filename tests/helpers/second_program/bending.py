@@ -40,6 +40,8 @@ def bending(code: str) -> dict[str, Rule]:
         "A_min": least,
         "A_req": lambda v: max(v["A_s"], v["A_min"]),
         "m": design_moment,
+        "m_c": lambda v: abs(v["m_xy"]) + (-v["m_b"] if v["top"] else v["m_b"]),
+        "m_t": lambda v: (design_moment(v) or 0.0) + (v["m_a"] if v["top"] else -v["m_a"]),
         "eta_A": lambda v: v["A_req"] / v["A_l"],
     }
 
@@ -48,8 +50,9 @@ def design_moment(v: Values) -> float | None:
     """Return Wood's moment, as much as it twists in the direction of the bars; None of a mean, which is given."""
     if "m_a" not in v:
         return None
-    own = -v["m_a"] if v["top"] else v["m_a"]
-    return own + (v["m_xy"] ** 2 / abs(v["m_b"]) if "m_b" in v else abs(v["m_xy"]))
+    a, b = (-v[name] if v["top"] else v[name] for name in ("m_a", "m_b"))
+    # strips across that would need a negative area leave all of the twist to those along
+    return a + (v["m_xy"] ** 2 / -b if b < -abs(v["m_xy"]) else abs(v["m_xy"]))
 
 
 def neutral_axis(v: Values) -> float:

@@ -37,9 +37,9 @@ CASES = range(1, 5)
 
 def _loads(v: Values, of: str) -> float:
     """Return the loads inside a perimeter: each case's weight of the slab and further loads, with its factor."""
-    parts = [v[f"gamma_{k}{of}"] * (v.get(f"G_{k}{of}", 0.0) + v.get(f"Q_{k}{of}", 0.0)) for k in CASES
+    parts = [v[f"gamma_{k}{of}"] * (v.get(f"G_{k}{of}", 0.0) + v.get(f"F_{k}{of}", 0.0)) for k in CASES
              if f"gamma_{k}{of}" in v]  # fmt: skip
-    return sum(parts) + v.get(f"N_f{of}", 0.0)
+    return sum(parts) + v.get(f"N_f{of}", 0.0) + v.get(f"N_b{of}", 0.0)
 
 
 def _turns(v: Values, N: str, n: str) -> float:

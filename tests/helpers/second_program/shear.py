@@ -62,7 +62,7 @@ def one_way(code: str) -> dict[str, Rule]:
         }
     if code == ACI:
         rules |= concrete_by_aci() | {
-            "v_c": lambda v: v["d"] * math.sqrt(v["f_c"]) * min(0.66 * v["lambda_s"] * v["rho_w"] ** (1 / 3), 0.415),
+            "v_c": lambda v: v["d"] * math.sqrt(v["f_c'"]) * min(0.66 * v["lambda_s"] * v["rho_w"] ** (1 / 3), 0.415),
             "eta": lambda v: v["v_u"] / 0.75 / v["v_c"],
             "f_yt": 413.6,
             "a_v": lambda v: 1e4 * max(v["v_u"] / 0.75 / v["d"] - 0.166 * v["r"], 0.0623 * v["r"], 0.35) / 413.6,
@@ -91,7 +91,7 @@ def _flattest(v: Values) -> float:
 def concrete_by_aci() -> dict[str, Rule]:
     """Return the root of f'c, the size effect and phi of shear by ACI 318-19."""
     return {
-        "r": lambda v: min(8.3, v["f_c"] ** 0.5),
+        "r": lambda v: min(8.3, v["f_c'"] ** 0.5),
         "phi": 0.75,
         "lambda_s": lambda v: min(1.0, (2 / (1 + 0.004 * 1e3 * v["d"])) ** 0.5),
     }

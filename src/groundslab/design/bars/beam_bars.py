@@ -216,7 +216,7 @@ def course_of(results: CombinationResult, member: Member, steel: Reinforcement) 
 
 def _needs(results: CombinationResult, course: MemberCourse, steel: Reinforcement) -> Iterator[BeamNeed]:
     """Yield what a member needs at both faces and of links in a combination, each at the place of the most."""
-    forces, part, section, web = course.forces, course.part, course.section, course.web
+    forces, part, web = course.forces, course.part, course.web
 
     def need(what: str, area: Array, least: Array, force: Array, ways: Array) -> tuple[BeamNeed, int]:
         wanted = np.maximum(area, least)
@@ -226,13 +226,9 @@ def _needs(results: CombinationResult, course: MemberCourse, steel: Reinforcemen
                         _place(forces, way), results.combination), most  # fmt: skip
 
     for face, (what, sign) in enumerate((("bottom", 1.0), ("top", -1.0))):
-        m = np.maximum(sign * forces.moment, 0.0)
-        bent = np.where(m > 0, forces.moment, 0.0)
-        most, place = need(what, course.bars[face], course.least[face], bent, forces.way)
-        b, h = float(course.width[face][place]), float(section.h[place])
-        per = BarsNeeded(most.force / b, h, h - float(section.d[face][place]), most.area / b, most.least / b)
-        followed = per if m[place] > 0 and course.alone[face][place] else None
-        yield replace(most, bars=followed, width=b, zone=section.tension(face).at(place))
+        bent = np.where(sign * forces.moment > 0, forces.moment, 0.0)
+        _, place = need(what, course.bars[face], course.least[face], bent, forces.way)
+        yield face_need(course, face, place)
     for what, area, least, carried in (
         ("links", web.links, web.least_links, course.webs),
         ("torsion", web.along, web.least_along, course.webs),
@@ -242,8 +238,22 @@ def _needs(results: CombinationResult, course: MemberCourse, steel: Reinforcemen
         values = (part.way, course.used) if what == "struts" else None
         yield replace(most, web=carried.at(place), torsion=float(web.torsion[place]), course=values)
     if course.member.rib:
-        share = np.interp(part.way, forces.way, _larger_side(results, forces, section))
+        share = np.interp(part.way, forces.way, _larger_side(results, forces, course.section))
         yield _flange_need(results, part, course.at_d, share, steel)
+
+
+def face_need(course: MemberCourse, face: int, place: int) -> BeamNeed:
+    """Return what a member needs at a face, 0 the bottom, at one place."""
+    forces, section = course.forces, course.section
+    m = max((1.0, -1.0)[face] * float(forces.moment[place]), 0.0)
+    force, way = (float(forces.moment[place]) if m > 0 else 0.0), float(forces.way[place])
+    area, least = float(course.bars[face][place]), float(course.least[face][place])
+    b, h = float(course.width[face][place]), float(section.h[place])
+    per = BarsNeeded(force / b, h, h - float(section.d[face][place]), area / b, least / b)
+    return BeamNeed(
+        forces.name, WHAT[face], area, least, force, way, _place(forces, way), course.combination,
+        bars=per if m > 0 and course.alone[face][place] else None, width=b, zone=section.tension(face).at(place),
+    )  # fmt: skip
 
 
 def _place(beam: BeamResult, way: float) -> tuple[float, float]:

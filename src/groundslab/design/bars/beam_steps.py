@@ -8,7 +8,7 @@ from groundslab.design.bars.beam_bars import BeamNeed, beam_needs
 from groundslab.design.codes.registry import code_of
 from groundslab.design.rules.bending_steps import CM2
 from groundslab.design.rules.calculation import MEGA, Step
-from groundslab.design.rules.design_code import Calculation
+from groundslab.design.rules.design_code import BeamRule, Calculation
 from groundslab.design.rules.webs import Web
 from groundslab.messages import Message
 from groundslab.model.design.reinforcement import Reinforcement
@@ -44,11 +44,18 @@ def beam_steps(combined: Results, steel: Reinforcement) -> Iterator[tuple[str, C
             continue
         else:
             of = Message("{beam}, {what}, {way:.2f m} from its start", beam=need.beam, what=need.what, way=need.way)
-            steps = (
-                *_moment(need), *rule.bars_by_steps(steel, need.bars, state),
-                *rule.minimum_by_steps(steel, state, need.zone), _required(need),
-            )  # fmt: skip
+            steps = tuple(face_steps(need, steel, rule, state))
         yield NAMES[need.what], Calculation(of, need.combination, steps, place=need.place)
+
+
+def face_steps(need: BeamNeed, steel: Reinforcement, rule: BeamRule, state: str) -> Iterator[Step]:
+    """Yield the calculation of the bars at a face at one place, where concrete alone bears its compression."""
+    assert need.bars is not None
+    assert need.zone is not None
+    yield from _moment(need)
+    yield from rule.bars_by_steps(steel, need.bars, state)
+    yield from rule.minimum_by_steps(steel, state, need.zone)
+    yield _required(need)
 
 
 def _moment(need: BeamNeed) -> Iterator[Step]:

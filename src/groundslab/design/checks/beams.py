@@ -9,15 +9,18 @@ from typing import NamedTuple
 import numpy as np
 
 from groundslab.arrays import Array
+from groundslab.design.bars import given_steps
 from groundslab.design.bars.beam_bars import MemberCourse, course_of, courses
 from groundslab.design.bars.members import StripMember, members_of
 from groundslab.design.codes.registry import code_of
+from groundslab.design.rules.calculation import Step
 from groundslab.design.rules.check import DesignCheck, judge_apart
 from groundslab.design.rules.combinations import ultimate_results
 from groundslab.design.rules.demand_errors import error_along, scaled
 from groundslab.design.rules.design_code import BeamRule
 from groundslab.design.rules.punching_links.demand import LinkLimit
 from groundslab.messages import Clause, Message, Name, quantity
+from groundslab.model.design.beam_links import BeamLinks
 from groundslab.model.design.laid_bars import laid_bars
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.fields import place_of
@@ -40,6 +43,7 @@ class Judged(NamedTuple):
     place: tuple[float, float]  # [m]
     combination: str
     along: tuple[Array, Array]  # ways (k,) [m], and what is used there (k,)
+    steps: Callable[[], Iterator[Step]]  # its calculation
 
 
 #: What finds what a member needs in a combination.
@@ -109,18 +113,26 @@ def _worst(
         name, "fails" if not holds else "attention" if doubt else "no failure found", words, of=worst.member,
         demand=limit.value if finite else None, resistance=limit.limit if finite else None, unit=limit.unit,
         combination=worst.combination, place=worst.place, clause=clauses,
-        error=scaled(error_of(worst), limit.limit) if finite else None,
+        error=scaled(error_of(worst), limit.limit) if finite else None, steps=tuple(worst.steps()) if finite else (),
     )  # fmt: skip
 
 
-def _judged(course: MemberCourse, ways: Array, what: str, value: Array, limit: Array, unit: str, clause: str) -> Judged:
-    """Return values (k,) against their limits (k,) at the ways (k,) [m] where most is used."""
+def _judged(
+    course: MemberCourse, ways: Array, what: str, values: tuple[Array, Array], units: tuple[str, str],
+    steps: Callable[[int], Iterator[Step]],
+) -> Judged:  # fmt: skip
+    """Return values (k,) against their limits (k,) at the ways (k,) [m] where most is used.
+
+    With both come their unit and the clause, and the steps of a place.
+    """
+    (value, limit), (unit, clause) = values, units
     used = np.divide(value, limit, out=np.where(value > 0, np.inf, 0.0), where=limit > 0)
     most = int(np.argmax(used))
     nodes = course.forces.nodes
     xy = np.column_stack([np.interp(ways, course.forces.way, column) for column in nodes.T])
     worst = LinkLimit(what, float(value[most]), float(limit[most]), unit, clause)
-    return Judged(course.member.name, worst, float(ways[most]), place_of(xy, most), course.combination, (ways, used))
+    return Judged(course.member.name, worst, float(ways[most]), place_of(xy, most), course.combination, (ways, used),
+                  partial(steps, most))  # fmt: skip
 
 
 def _links(results: CombinationResult, course: MemberCourse, steel: Reinforcement, rule: BeamRule) -> Iterator[Judged]:
@@ -128,20 +140,32 @@ def _links(results: CombinationResult, course: MemberCourse, steel: Reinforcemen
     way = course.part.way
     area, legs = np.zeros(len(way)), np.full(len(way), 2)
     apart, across = np.zeros(len(way)), np.zeros(len(way))
+    given: list[BeamLinks | None] = [None] * len(way)
     for links in steel.links_along(course.member.name):
         within = (way >= links.start) & (way <= (np.inf if links.end is None else links.end))
         area[within], legs[within], apart[within] = links.area, links.legs, links.spacing
         across[within] = course.legs_apart(steel, links.diameter, links.legs)
+        given = [links if here else before for here, before in zip(within, given, strict=True)]
+
+    def followed(
+        by: Callable[[MemberCourse, int, BeamLinks, Reinforcement, BeamRule, str], Iterator[Step]], place: int
+    ) -> Iterator[Step]:
+        laid = given[place]
+        assert laid is not None  # where there are none, nothing is compared
+        return by(course, place, laid, steel, rule, results.limit_state)
+
     needed = course.web.links_of(legs)
-    yield _judged(course, way, "links", needed * CM2, area * CM2, "cm2/m", rule.web_clauses)
+    of_links, clause = ("cm2/m", rule.web_clauses), rule.distance_clauses
+    yield _judged(course, way, "links", (needed * CM2, area * CM2), of_links, partial(followed, given_steps.links))
     if rule.link_distances is not None and area.any():
         along, most = rule.link_distances(steel, results.limit_state, course.webs, course.used)
-        clause = rule.distance_clauses
-        yield _judged(course, way, "distance of links", apart * 1e3, along * 1e3, "mm", clause)
-        yield _judged(course, way, "distance of legs", across * 1e3, most * 1e3, "mm", clause)
+        steps = partial(followed, given_steps.distance_of_links)
+        yield _judged(course, way, "distance of links", (apart * 1e3, along * 1e3), ("mm", clause), steps)
+        steps = partial(followed, given_steps.distance_of_legs)
+        yield _judged(course, way, "distance of legs", (across * 1e3, most * 1e3), ("mm", clause), steps)
 
 
-def _bars(_: CombinationResult, course: MemberCourse, steel: Reinforcement, rule: BeamRule) -> Iterator[Judged]:
+def _bars(results: CombinationResult, course: MemberCourse, steel: Reinforcement, rule: BeamRule) -> Iterator[Judged]:
     """Yield the slab's bars along a strip at both faces in a combination, half of those for torsion at each."""
     member = course.member
     assert isinstance(member, StripMember)
@@ -153,5 +177,9 @@ def _bars(_: CombinationResult, course: MemberCourse, steel: Reinforcement, rule
         laid = laid_bars(steel, layer, places).area.reshape(-1, ACROSS).mean(axis=1) * b
         needed = course.faces[face]
         what = f"bars at the {('bottom', 'top')[face]}"
-        clause = f"{rule.clauses}, {rule.web_clauses}"
-        yield _judged(course, forces.way, what, needed * CM2, laid * CM2, "cm2", clause)
+        units = "cm2", f"{rule.clauses}, {rule.web_clauses}"
+
+        def followed(place: int, face: int = face, laid: Array = laid) -> Iterator[Step]:
+            return given_steps.bars_of_strip(course, face, place, float(laid[place]), steel, rule, results.limit_state)
+
+        yield _judged(course, forces.way, what, (needed * CM2, laid * CM2), units, followed)

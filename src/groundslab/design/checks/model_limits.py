@@ -32,6 +32,7 @@ from groundslab.model.loads.clipping import Clipped, find_clipped_loads
 from groundslab.model.loads.load_cases import SERVICEABILITY, STRENGTH
 from groundslab.model.plates.joints import ElasticJoint
 from groundslab.model.supports import AnySupport, LineSupport, Pile
+from groundslab.results.fields import places_of
 from groundslab.results.records import JointResult
 from groundslab.results.results import CombinationResult, Results
 
@@ -333,7 +334,24 @@ def _ground(results: list[CombinationResult]) -> Iterator[DesignCheck]:
         combination=governing.combination,
         foundation=True,
         error=scaled(error_of(governing, lambda mesh: min(float(mesh.plate.pressure.max()), limit)), 1e-3),
+        steps=tuple(_ground_steps(governing, largest, limit, shares[governing.combination])),
     )
+
+
+def _ground_steps(results: CombinationResult, largest: float, limit: float, share: float) -> Iterator[Step]:
+    """Yield the largest pressure against that at which the ground yields [Pa], and under which share it does."""
+    plate = results.plate
+    if share > 0:
+        area = float(plate.area.sum())
+        yield Step("area of the plate", "A", area, "m2")
+        yield Step("area under which the ground yields, by its pressure or its penetration", "A_y", share * area, "m2")
+        yield Step("share of it", "a_y", 100 * share, "%", "100 * A_y / A")
+        yield Step("pressure where it yields", "p", largest / 1e3, "kPa")
+    else:
+        x, y = places_of(plate.nodes[int(np.argmax(plate.pressure))]).tolist()
+        yield Step(Message("largest pressure, at {place:.3f m}", place=(x, y)), "p", largest / 1e3, "kPa")
+    yield Step("limit pressure of the ground", "p_lim", limit / 1e3, "kPa")
+    yield Step("share used", "eta", largest / limit, "", "p / p_lim")
 
 
 def _yielding_share(results: CombinationResult, limit: float) -> float:

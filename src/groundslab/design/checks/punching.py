@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Collection, Iterator
 from dataclasses import replace
 from functools import partial
@@ -9,6 +10,7 @@ from typing import Any
 
 from groundslab.design.bars.proposal.links import punching_links
 from groundslab.design.codes.registry import code_of
+from groundslab.design.rules.calculation import Support
 from groundslab.design.rules.check import DesignCheck, judge_apart, some
 from groundslab.design.rules.design_code import Calculation, PunchingRule
 from groundslab.design.rules.punching import (
@@ -22,7 +24,6 @@ from groundslab.design.rules.punching import (
     with_way,
 )
 from groundslab.design.rules.punching_beta import check_constants
-from groundslab.design.rules.punching_links.demand import Support
 from groundslab.design.rules.punching_links.layout import LinkLayout
 from groundslab.messages import Clause, Message, Name, quantity
 from groundslab.model.design.reinforcement import Reinforcement
@@ -88,6 +89,7 @@ def _links(layouts: list[LinkLayout]) -> Iterator[DesignCheck]:
         LINKS, "no failure found" if holds else "fails", words, of=layout.name, demand=limit.value,
         resistance=limit.limit, unit=limit.unit, least=limit.least, clause=layout.clauses,
         combination=layout.combination, place=layout.place,
+        steps=tuple(limit.follow()) if math.isfinite(limit.value) and limit.limit > 0 and limit.value > 0 else (),
     )  # fmt: skip
 
 

@@ -17,6 +17,7 @@ import numpy as np
 
 from groundslab.arrays import Array, Integers
 from groundslab.design.demands.loads import column_loads
+from groundslab.design.demands.loads.building_loads import BUILDING
 from groundslab.design.demands.loads.edge_lengths import edge_inside
 from groundslab.design.demands.perimeters import Footprint, Perimeter, RectangularColumn, RoundColumn
 from groundslab.fem import load_vectors
@@ -257,13 +258,19 @@ class PerimeterLoads:
     weights: Mapping[str, tuple[float, float]] = field(default_factory=dict)  # unit weight [N/m3], volume [m3], by case
 
     def of_cases(self, results: CombinationResult) -> tuple[CaseInside, ...]:
-        """Return what the load cases of a combination have inside, those of the building above apart."""
+        """Return what the load cases of a combination have inside, and all of the building above together."""
         factors = column_loads.factors_of(results)
-        return tuple(
+        above = sum(
+            factors[case] * float(sums[0])
+            for case, sums in self.others.items()
+            if factors.get(case) and case.startswith(BUILDING)
+        )
+        cases = tuple(
             CaseInside(case, factors[case], float(sums[0]), *self.weights.get(case, (0.0, 0.0)))
             for case, sums in self.others.items()
-            if factors.get(case) and sums[0] and not case.startswith("\0")
+            if factors.get(case) and sums[0] and not case.startswith(BUILDING)
         )
+        return (*cases, CaseInside(BUILDING, 1.0, above, 0.0, 0.0)) if above else cases
 
     @property
     def size(self) -> float:
@@ -274,7 +281,7 @@ class PerimeterLoads:
 class CaseInside(NamedTuple):
     """What a load case has inside a perimeter."""
 
-    case: str
+    case: str  # BUILDING of all that the building above puts there
     factor: float  # in the combination
     force: float  # of all its loads there but for those of the column itself, downwards [N]
     unit_weight: float  # of the slab, if its weight is in this case [N/m3]

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
@@ -12,8 +11,6 @@ from groundslab.design.rules.calculation import MEGA, Step
 
 #: From m2/m to cm2/m.
 CM2 = 1e4
-#: Moments that differ by a smaller share are the same.
-CLOSE = 1e-9
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,18 +49,25 @@ def _moment(need: BarsNeeded) -> Iterator[Step]:
         yield Step("length of the line", "b", origin.width, "m")
         yield Step("design moments by Wood along a line across the bars, their mean", "m", m, "MNm/m")
         return
-    sign = 1.0 if need.moment >= 0 else -1.0
+    yield from _by_wood(need, origin)
+
+
+def _by_wood(need: BarsNeeded, origin: MomentOrigin) -> Iterator[Step]:
+    """Yield the design moment by the plate's moments: strips across the bars take a part of the twist, or need no bars.
+
+    Signs are those of tension at the bottom; at the top all are turned (Wood 1968, Armer 1968).
+    """
     m_a, m_b, m_xy = origin.along / MEGA, origin.across / MEGA, origin.twisting / MEGA
-    formula, of_face = "", "m_a" if sign > 0 else "-m_a"
-    if math.isclose(sign * m_a + abs(m_xy), m, rel_tol=CLOSE):
-        formula = f"{of_face} + abs(m_xy)"
-    elif m_b and math.isclose(sign * m_a + m_xy**2 / abs(m_b), m, rel_tol=CLOSE):
-        formula = f"{of_face} + m_xy^2 / abs(m_b)"
     yield Step("moment of strips along the bars, positive with tension at the bottom", "m_a", m_a, "MNm/m")
-    if "m_b" in formula:
-        yield Step("moment of strips across the bars", "m_b", m_b, "MNm/m")
+    yield Step("moment of strips across the bars", "m_b", m_b, "MNm/m")
     yield Step("twisting moment", "m_xy", m_xy, "MNm/m")
-    yield Step("design moment per width, by Wood", "m", m, "MNm/m", formula)
+    sign, of_across = (1.0, "m_b + abs(m_xy)") if need.moment >= 0 else (-1.0, "abs(m_xy) - m_b")
+    m_c, words = sign * m_b + abs(m_xy), "moment of strips across with the twist; negative, they need no bars there"
+    yield Step(words, "m_c", m_c, "MNm/m", of_across)
+    share, formula = (abs(m_xy), "abs(m_xy)") if m_c >= 0 else (m_xy**2 / abs(m_b), "m_xy^2 / abs(m_b)")
+    yield Step("what the twist adds along the bars", "m_t", share, "MNm/m", formula)
+    formula = "m_t + m_a" if sign > 0 else "m_t - m_a"
+    yield Step("design moment per width, by Wood", "m", abs(need.moment) / MEGA, "MNm/m", formula)
 
 
 def area(need: BarsNeeded, block: tuple[float, float], clause: str) -> Iterator[Step]:

@@ -6,14 +6,17 @@ import math
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from typing import Literal
 
 from groundslab.arrays import Array
+from groundslab.design.demands.loads.building_loads import BUILDING
 from groundslab.design.demands.perimeter_loads import CaseInside, MomentParts
 from groundslab.design.demands.perimeter_pieces import WeightedLegs
-from groundslab.design.rules.punching_links.demand import Support
 from groundslab.messages import Message, Name
 
 MEGA = 1e6
+#: What punches a slab.
+Support = Literal["column", "pile", "zone", "wall end"]
 #: What pushes at a zone, and what pulls at it.
 ZONE = "force of the columns on the zone, less that of piles below it"
 ZONE_PULLS = "pull of the columns on the zone and push of the piles below it"
@@ -25,8 +28,10 @@ SAME = 1e-9
 BY_CHORDS = 5e-5
 #: A symbol in a formula, such as v_Rd,c: a comma that belongs to it is followed by no space.
 SYMBOL = re.compile(r"[A-Za-z]\w*(?:,\w+)*'?")
+#: What is negative in a sum or a difference, but is raised to no power.
+_NEGATIVE = re.compile(r"([+-]) \(-([\d.]+(?:e[+-]?\d+)?)\)(?!\^)")
 #: What formulas call, angles being in radians, and numbers with a name; the rest are symbols.
-FUNCTIONS = ("max", "min", "sqrt", "abs", "ceil", "floor", "exp", "sin", "cos", "tan", "atan")
+FUNCTIONS = ("max", "min", "sqrt", "abs", "ceil", "floor", "exp", "log10", "sin", "cos", "tan", "atan")
 CONSTANTS = ("pi",)
 
 
@@ -46,7 +51,10 @@ class Step:
 
 
 def with_numbers(step: Step, values: Mapping[str, float]) -> str:
-    """Return the formula of a step with the values of its symbols in their places, with six digits."""
+    """Return the formula of a step with the values of its symbols in their places, with six digits.
+
+    A sum with what is negative is written as a difference.
+    """
 
     def number(match: re.Match[str]) -> str:
         name = match[0]
@@ -54,7 +62,10 @@ def with_numbers(step: Step, values: Mapping[str, float]) -> str:
             return name
         return f"{values[name]:.6g}" if values[name] >= 0 else f"({values[name]:.6g})"
 
-    return SYMBOL.sub(number, step.formula)
+    def turned(match: re.Match[str]) -> str:
+        return f"{'-' if match[1] == '+' else '+'} {match[2]}"
+
+    return _NEGATIVE.sub(turned, SYMBOL.sub(number, step.formula))
 
 
 def depth_steps(d: float, axes: tuple[float, float], symbol: str = "d", clause: str = "") -> Iterator[Step]:
@@ -87,8 +98,9 @@ def inside_steps(sums: tuple[float, float], inside: float, cases: Sequence[CaseI
 
 def _loads_inside(others: float, inside: float, cases: Sequence[CaseInside], of: str) -> Iterator[Step]:
     """Yield what other loads inside are made of: of each case the weight of the slab, further loads, and its factor."""
-    largest = sorted(cases, key=lambda case: -abs(case.factor * case.force))[:MOST_CASES]
-    told = [case for case in cases if case in largest]
+    of_cases = [case for case in cases if case.case != BUILDING]
+    largest = sorted(of_cases, key=lambda case: -abs(case.factor * case.force))[:MOST_CASES]
+    told = [case for case in of_cases if case in largest]
     terms = []
     for k, (name, factor, force, unit_weight, volume) in enumerate(told, 1):
         case = Name(name) if name else "all loads"
@@ -102,12 +114,16 @@ def _loads_inside(others: float, inside: float, cases: Sequence[CaseInside], of:
             parts.append(f"G_{k}{of}")
         if abs(force - weight) > SAME * max(abs(force), abs(weight)):
             further = Message("further loads of {case} inside, by their places", case=case)
-            yield Step(further, f"Q_{k}{of}", (force - weight) / MEGA, "MN")
-            parts.append(f"Q_{k}{of}")
+            yield Step(further, f"F_{k}{of}", (force - weight) / MEGA, "MN")
+            parts.append(f"F_{k}{of}")
         yield Step(Message("factor of {case}", case=case), f"gamma_{k}{of}", factor)
         terms.append(f"gamma_{k}{of} * {parts[0]}" if len(parts) == 1 else f"gamma_{k}{of} * ({' + '.join(parts)})")
-    rest = others - sum(case.factor * case.force for case in told)
-    if abs(rest) > SAME * max(abs(others), *(abs(case.factor * case.force) for case in told), 1.0):
+    above = next((case.force for case in cases if case.case == BUILDING), 0.0)
+    if above:
+        yield Step("what the building above puts on the slab inside", f"N_b{of}", above / MEGA, "MN")
+        terms.append(f"N_b{of}")
+    rest = others - above - sum(case.factor * case.force for case in told)
+    if abs(rest) > SAME * max(abs(others), abs(above), *(abs(case.factor * case.force) for case in told), 1.0):
         others_there = "further cases, beams across the perimeter and joints inside, with their factors"
         yield Step(others_there, f"N_f{of}", rest / MEGA, "MN")
         terms.append(f"N_f{of}")

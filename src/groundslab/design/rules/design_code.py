@@ -6,7 +6,7 @@ the checks say so.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
@@ -15,11 +15,11 @@ from groundslab.design.demands.perimeter_loads import Reach
 from groundslab.design.demands.perimeters import SketchedPerimeter
 from groundslab.design.rules.bending import BendingRule
 from groundslab.design.rules.bending_steps import BarsNeeded
-from groundslab.design.rules.calculation import Step
+from groundslab.design.rules.calculation import Step, Support
 from groundslab.design.rules.check import NO_RULE, DesignCheck, not_judged
 from groundslab.design.rules.detailing_rule import DetailingRule
 from groundslab.design.rules.punching import Aspect, Demands, Heads, without_beams
-from groundslab.design.rules.punching_links.demand import LinkDemand, Support
+from groundslab.design.rules.punching_links.demand import LinkDemand
 from groundslab.design.rules.shear_demand import ShearDemand
 from groundslab.design.rules.webs import Flange, Web, WebNeed
 from groundslab.design.rules.wide_beam import Cut
@@ -92,8 +92,8 @@ class ShearRule:
     cuts : callable or None
         Of a combination's results and materials: cuts beside columns over which means are checked, too.
     link_distance : callable or None
-        Of materials and a demand: how far legs of links may be from each other [m]; None where the code's rule is not
-        known here.
+        Of materials and a demand: how far legs of links may be from each other [m], as the last step to it, by the
+        thickness h and the depth d; None where the code's rule is not known here.
     """
 
     words: ShearWords
@@ -107,7 +107,7 @@ class ShearRule:
     reach: Callable[[Results], Reach] | None = None
     beyond_links: float = 1.5
     cuts: Callable[[CombinationResult, Reinforcement], Iterator[Cut]] | None = None
-    link_distance: Callable[[Reinforcement, ShearDemand], float] | None = None
+    link_distance: Callable[[Reinforcement, ShearDemand], Step] | None = None
 
 
 class TensionBars(NamedTuple):
@@ -246,6 +246,9 @@ class BeamRule:
         a link, may be from each other (k,) [m]; None where the code's rule is not known here.
     distance_clauses : str
         Where it rules these.
+    distance_steps : callable or None
+        Of materials, a limit state, one web and the same under the forces that its struts bear: the calculation of how
+        far links may be from each other, and legs of a link.
     """
 
     minimum: Callable[[Reinforcement, str, TensionZone], Array]
@@ -260,6 +263,7 @@ class BeamRule:
     cracks: Callable[[Reinforcement], str]
     link_distances: Callable[[Reinforcement, str, Web, Array], tuple[Array, Array]] | None = None
     distance_clauses: str = ""
+    distance_steps: Callable[[Reinforcement, str, Web, Web], tuple[Sequence[Step], Sequence[Step]]] | None = None
 
 
 @dataclass(frozen=True, slots=True)

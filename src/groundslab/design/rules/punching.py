@@ -9,9 +9,9 @@ from typing import Any, Generic, NamedTuple, Protocol, TypeVar
 from groundslab.design.demands.perimeter_loads import PunchingForce, Reach, punching_columns, punching_piles
 from groundslab.design.demands.perimeters import SketchedPerimeter
 from groundslab.design.demands.zones.thicker_zones import zone_forces
+from groundslab.design.rules.calculation import Support
 from groundslab.design.rules.check import MOST_NAMED, NO_PERIMETER, SUPPORT_INSIDE, DesignCheck, not_judged
 from groundslab.design.rules.combinations import ultimate_results
-from groundslab.design.rules.punching_links.demand import Support
 from groundslab.design.rules.wall_ends import loaded_ends
 from groundslab.messages import Message, Name, joined
 from groundslab.results.results import Results

@@ -10,6 +10,9 @@ import numpy as np
 from groundslab.arrays import Array, Flags, Integers
 from groundslab.design.rules.calculation import MEGA, Step
 
+#: What the links that a web needs are called.
+ALL_LEGS = "links, all legs together"
+
 
 class Web(NamedTuple):
     """Webs (k,) of a beam, from face to face of rib and flange, and what they carry."""

@@ -9,9 +9,9 @@ from groundslab.design.bars.proposal.links import punching_links
 from groundslab.design.codes.registry import code_of
 from groundslab.design.demands.perimeter_loads import punching_piles
 from groundslab.design.demands.zones.thicker_zones import zone_forces
+from groundslab.design.rules.calculation import Support
 from groundslab.design.rules.combinations import ultimate_results
 from groundslab.design.rules.punching import Demand, Heads
-from groundslab.design.rules.punching_links.demand import Support
 from groundslab.design.rules.punching_links.layout import LinkLayout
 from groundslab.design.rules.wall_ends import loaded_ends
 from groundslab.messages import Clause, Message, joined

@@ -22,7 +22,7 @@ from groundslab.views.report.drawings.perimeter_tables import tables_of_pieces
 from groundslab.views.tables.calculations import perimeters
 from groundslab.views.tables.result_tables import table_makers, tables_of
 from groundslab.views.tables.table import Table
-from helpers.calculations import NAMES, follow
+from helpers.calculations import NAMES, evaluate, follow
 from helpers.solve_once import solve_once
 
 STEEL = {"f_ck": 30e6, "f_yk": 500e6, "bottom": (0.04, 0.05), "top": (0.04, 0.05)}
@@ -193,10 +193,10 @@ def test_pieces_add_up_to_the_sheet(columns: tuple[dict[str, Any], ...], steel: 
     assert float(total[length]) == pytest.approx(sum(float(row[length]) for row in rows[:-1]), abs=1e-4)
     for name, value in total.items():
         if name.startswith("part of"):
-            assert float(value) == pytest.approx(sheet.get(name.removeprefix("part of"), 0.0), rel=1e-4)
+            assert float(value) == pytest.approx(sheet[name.removeprefix("part of")], rel=1e-4)
         if name.startswith("center"):
             n = name[-1]
-            away = sheet.get(f"e_{n}", sheet.get(f"x_{n}", 0.0))
+            away = sheet[f"e_{n}"] if f"e_{n}" in sheet else sheet[f"x_{n}"]
             assert float(value) == pytest.approx(-away, abs=1e-4)
     for n in (1, 2):
         _straight_pieces(rows, length, n)
@@ -390,6 +390,25 @@ def test_a_formula_with_its_numbers() -> None:
     known = {"v_Rd,c": 0.5, "v_Rd": -1.25, "v": 4.0, "d_1": 1e-3}
     assert with_numbers(step, known) == "max(0.5 * 2, (-1.25) - abs(4)^(1/2), 0.001)"
     assert {*FUNCTIONS, *CONSTANTS} == NAMES.keys()
+
+
+@pytest.mark.parametrize(
+    ("formula", "numbers"),
+    [
+        ("a + b", "2 - 0.0157"),
+        ("a - b * a", "2 + 0.0157 * 2"),
+        ("b + a", "(-0.0157) + 2"),
+        ("a + b^2", "2 + (-0.0157)^2"),
+        ("a * b", "2 * (-0.0157)"),
+        ("a * (a + c)", "2 * (2 - 1.5e-07)"),
+    ],
+)
+def test_a_sum_with_what_is_negative_is_written_as_a_difference(formula: str, numbers: str) -> None:
+    """And gives the same, powers too."""
+    values = {"a": 2.0, "b": -0.0157, "c": -1.5e-7}
+    written = with_numbers(Step("", "x", 0.0, formula=formula), values)
+    assert written == numbers
+    assert evaluate(written) == pytest.approx(eval(formula.replace("^", "**"), {}, values), rel=1e-9)
 
 
 @pytest.mark.parametrize(

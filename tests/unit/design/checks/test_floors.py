@@ -19,6 +19,7 @@ from groundslab.model.model import Model
 from groundslab.results.results import CombinationResult, Results
 from groundslab.views.tables.result_tables import tables_of
 from helpers import synthetic
+from helpers.calculations import follow_steps
 from helpers.synthetic import LENGTH_X, LENGTH_Y
 
 E, H, NU, K = 31e9, 0.2, 0.2, 50e6
@@ -409,3 +410,60 @@ def test_a_pressure_over_a_joint_is_on_both_bays() -> None:
     assert {of: each.demand for of, each in found.items()} == pytest.approx({"A": 30.0, "B": 30.0})
     (x_A, _), (x_B, _) = (found[of].place or (0.0, 0.0) for of in ("A", "B"))
     assert 2 < x_A < 3 < x_B < 4
+
+
+LINE = {"kind": "line", "case": "Q", "q": 20e3, "points": [(-1, 0), (1, 0)]}
+AT_EDGE = {**LINE, "points": [(-1, 3.5), (1, 3.5)]}
+GOODS = {"kind": "patch", "case": "Q", "q": 30e3, "x": (-3, -1), "y": (-2, 2)}
+EVERYWHERE = {"kind": "uniform", "case": "Q", "q": 10e3}
+TWINS = [leg(-3.0, 0.0), leg(-2.7, 0.0), leg(-3.0, 1.2)]
+SQUARE = [leg(x, y) for x in (0.0, 1.4) for y in (0.0, 1.0)]
+WIDE = [leg(3.0, 0, P=200e3) | {"width_x": 0.5, "width_y": 0.4}, leg(3.0, 1.5) | {"width_x": 0.6, "width_y": 0.6}]
+EDGES = [leg(4.7, 0.5), leg(4.7, -0.4), leg(4.7, 3.5), leg(4.7, 2.8) | {"width_x": 0.14}]
+SHEETS: dict[str, tuple[dict[str, Any], list[dict[str, Any]]]] = {
+    "of fibers": (FIBERS | {"joint_transfer": 0.2}, [*TWINS, *SQUARE, *EDGES, LINE]),
+    "with a mesh": (TR34 | {"mesh_area": 5e-4, "mesh_axis": 0.05}, [*WIDE, AT_EDGE, GOODS, EVERYWHERE]),
+    "plain": (TR34 | {"friction": 0.5, "joint_spacing": 8.0}, [leg(0, 0), GOODS, {**GOODS, "x": (-2, 0)}]),
+    "of strong concrete": ({"kind": "TR34", "f_ck": 60e6}, [leg(0, 3.4) | {"width_x": 0.3, "angle": 90.0}, EVERYWHERE]),
+    "ACI": (ACI | {"friction": 0.5, "joint_spacing": 8.0}, [leg(0, 0), GOODS]),
+    "ACI, often": (ACI | {"repetitions": 1e6, "R_e3": 0.4, "joint_transfer": 0.2}, [leg(4.7, 3.5), leg(0, 0), GOODS]),
+    "ACI, a few times": (ACI | {"repetitions": 5e3, "safety_factor": 1.1}, [leg(4.7, 0), EVERYWHERE]),
+}
+
+
+@pytest.mark.parametrize("name", list(SHEETS))
+def test_each_check_has_a_sheet_that_is_followed_by_hand(name: str) -> None:
+    """Every check with a share used; its last step is that share, and each value follows from the numbers above it."""
+    floor, loads = SHEETS[name]
+    found = [
+        check
+        for check in check_design(solved(model_with(floor, loads), moment_x=9e3, moment_xy=-4e3)).checks
+        if check.utilization is not None
+    ]
+    assert {"point load", "punching"} <= {check.name for check in found} or floor["kind"] == "ACI 360"
+    for check in found:
+        if check.name in ("equilibrium", "uplift"):
+            continue
+        values = follow_steps(check.steps)
+        assert len(values) == len(check.steps)  # no symbol has two meanings
+        assert list(values.values())[-1] == pytest.approx(check.utilization, rel=1e-9), check.name
+
+
+def test_sheets_tell_which_forces_are_equal_and_where_they_stand() -> None:
+    """Four equal forces are one kind; of two that differ each has its own symbols, and the smaller radius counts."""
+    floor, loads = SHEETS["of fibers"]
+    found = {
+        (each.name, each.of): follow_steps(each.steps) for each in check_design(solved(model_with(floor, loads))).checks
+    }
+    four, two = found["quadruple point load", "internal"], found["dual point load", "corner"]
+    assert (four["P"], four["P_s"], four["x"]) == pytest.approx((0.075, 0.3, 2.4))
+    assert (two["n_1"], two["n_2"], two["x"]) == pytest.approx((1, 1, 0.7))
+    assert two["P_0"] == pytest.approx(two["P_u,1"] + two["P_u,2"])
+    assert two["a"] == pytest.approx(min(two["a_1"], two["a_2"])) == pytest.approx(math.sqrt(0.01 / math.pi))
+    assert two["P_s"] == pytest.approx(2 * 0.8 * 0.075)
+    assert two["e"] == pytest.approx(math.hypot(0.1, 0.1))
+    assert two["e"] < two["e_lim"]
+    alone = found["point load", "internal"]
+    assert alone["F_1"] == pytest.approx(0.1)  # of the twins, which are less than two thicknesses apart
+    assert alone["A"] == pytest.approx(0.4 * 0.1)
+    assert alone["e"] > alone["e_lim"]

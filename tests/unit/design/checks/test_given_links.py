@@ -13,7 +13,7 @@ from groundslab.design.checks.punching import LINKS
 from groundslab.errors import InputError
 from groundslab.model.model import Model
 from groundslab.views.tables.result_tables import tables_of
-from helpers.calculations import follow
+from helpers.calculations import follow, follow_steps
 from helpers.solve_once import solve_once
 
 AXES = {"bottom": (0.05, 0.066), "top": (0.05, 0.066)}
@@ -157,6 +157,7 @@ def test_what_codes_ask_of_links(_: str, steel: dict[str, Any], changes: dict[st
     assert check.status == ("fails" if words or len(changes.get("distances", "12")) == 1 else "no failure found")
     assert words in check.words
     assert check.of == "A"
+    assert list(follow_steps(check.steps).values())[-1] == pytest.approx(check.utilization, rel=1e-9)
 
 
 RAFTS: dict[str, dict[str, Any]] = {

@@ -262,8 +262,12 @@ def test_ground_at_its_limit_pressure() -> None:
     told = re.search(r"yields at 35 kPa under ([\d.]+) % of the plate's area", check.words)
     assert told is not None
     assert float(told[1]) / 100 == pytest.approx(share, abs=0.125 / 4)  # half an element's length
+    values = follow_steps(check.steps)
+    assert (values["A"], values["a_y"]) == pytest.approx((16.0, float(told[1])), rel=1e-2)
+    assert values["eta"] == 1.0
     (check,) = rows(model_limits.GROUND, solved(contact={"limit_pressure": 100e3}))
     assert (check.status, check.demand) == ("no failure found", pytest.approx(1.35 * 25))
+    assert follow_steps(check.steps)["eta"] == pytest.approx(0.3375)
 
 
 def test_loads_cut_off() -> None:

@@ -19,7 +19,7 @@ from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.model.model import Model
 from groundslab.model.plate import Zone
 from groundslab.views.tables.result_tables import tables_of
-from helpers.calculations import follow
+from helpers.calculations import follow, follow_steps
 from helpers.solve_once import solve_once
 
 H, AXIS, L, W = 0.4, 0.05, 8.0, 6.0
@@ -171,7 +171,7 @@ def test_distances_of_links_in_slabs() -> None:
         rule = code_of(steel).shear
         assert rule is not None
         assert rule.link_distance is not None
-        return rule.link_distance(steel, ShearDemand(results, (0.0, 0.0), v, v / 2, D, H))
+        return rule.link_distance(steel, ShearDemand(results, (0.0, 0.0), v, v / 2, D, H)).value
 
     assert allowed(LAID, 300e3) == pytest.approx(0.75 * D)
     strut = 0.75 * 0.85 * 30e6 / 1.5
@@ -220,3 +220,12 @@ def test_nothing_is_proposed_where_nothing_is_needed() -> None:
     """Concrete alone bears it."""
     asked = {key: value for key, value in LAID.items() if key not in LAYERS}
     assert gs.propose_bars(solve_once(slab(asked, q=150e3))).reinforcement.shear_links == ()
+
+
+@pytest.mark.parametrize("code", [LAID, GERMANY, ACI], ids=["EN", "Germany", "ACI"])
+def test_distances_that_are_given_have_a_sheet(code: dict[str, Any]) -> None:
+    """The largest distance of legs with its formula, and the share of it that is used."""
+    found = check(slab(with_links(code)))
+    values = follow_steps(found.steps)
+    assert values["s_w"] / values["s_max"] == pytest.approx(values["eta_s"])
+    assert found.utilization == pytest.approx(max(values["eta_w"], values["eta_s"]))

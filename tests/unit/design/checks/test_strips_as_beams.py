@@ -20,6 +20,7 @@ from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.model.model import Model
 from groundslab.results.records import BeamResult
 from groundslab.views.tables.result_tables import tables_of
+from helpers.calculations import follow_steps
 from helpers.solve_once import solve_once
 
 L, B, H, AXIS, C = 8.0, 1.0, 0.6, 0.06, 0.4
@@ -151,6 +152,35 @@ def test_inner_legs_carry_no_torsion(code: dict[str, Any]) -> None:
     assert two == float(need.links[0])
     assert four - two == pytest.approx(float(need.closed[0]))
     assert need.closed[0] > 0
+
+
+@pytest.mark.parametrize("code", [LAID, GERMANY, ACI, SECOND], ids=["EN", "Germany", "ACI", "2023"])
+@pytest.mark.parametrize(
+    ("changes", "e", "share"),
+    [
+        ({}, 0.0, ""),
+        ({"legs": 5, "spacing": 0.25}, 0.25, ""),
+        ({"spacing": 0.5, "diameter": 0.016}, 0.0, "eta_s"),
+        ({"spacing": 0.3, "diameter": 0.016, "legs": 6}, 0.25, "eta_s"),
+        ({"legs": 2, "diameter": 0.02, "spacing": 0.1}, 0.0, "eta_s"),
+    ],
+)
+def test_links_and_bars_that_are_given_have_a_sheet(
+    code: dict[str, Any], changes: dict[str, Any], e: float, share: str
+) -> None:
+    """Each value follows from the numbers above it; the last one is the share of the check, of links or distances."""
+    found = checks(footing(with_links(code, changes), e=e))
+    for name in (LINKS, BARS):
+        check = found[name]
+        values = follow_steps(check.steps)
+        symbol, last = list(values.items())[-1]
+        assert last == pytest.approx(check.utilization, rel=1e-9)
+        assert symbol in (("eta_w", "eta_s") if name == LINKS else ("eta_A",))
+    if share and not e and code is not SECOND:
+        assert found[LINKS].steps[-1].symbol == share
+    if e and not share:
+        torsion = {step.symbol for step in found[LINKS].steps}
+        assert {"a_c", "n_w"} <= torsion
 
 
 def test_bars_by_hand() -> None:

@@ -52,7 +52,7 @@ def shear_links(combined: Results, diameters: Sequence[float], rounding: float) 
         needed = max(case.rule.links(case.steel, demand) for demand in inside)
         apart = math.inf
         if case.rule.link_distance is not None:
-            apart = min(case.rule.link_distance(case.steel, demand) for demand in inside)
+            apart = min(case.rule.link_distance(case.steel, demand).value for demand in inside)
         options = [
             option(diameter=diameter, spacing_x=spacing, spacing_y=spacing)
             for diameter in diameters

@@ -193,7 +193,7 @@ def _limits(steel: Reinforcement, rule: ShearRule, demand: ShearDemand) -> Itera
     needed = rule.links(steel, demand)
     yield LinkLimit("links", needed * 1e4, links.area * 1e4, "cm2/m2", said.links)
     if rule.link_distance is not None:
-        apart = rule.link_distance(steel, demand)
+        apart = rule.link_distance(steel, demand).value
         yield LinkLimit("distance of legs", links.apart * 1e3, apart * 1e3, "mm", said.link_distance)
 
 
@@ -226,7 +226,7 @@ def _with_links(steel: Reinforcement, code: DesignCode, rule: ShearRule, demand:
 def _link_steps(steel: Reinforcement, rule: ShearRule, demand: ShearDemand) -> Iterator[Step]:
     """Yield the calculation at a place that needs links and has some."""
     yield from rule.steps(steel, demand)
-    area, *_ = _limits(steel, rule, demand)
+    area, *distances = _limits(steel, rule, demand)
     assert demand.links is not None
     yield Step("diameter of the legs that are given", "phi_w", demand.links.diameter, "m")
     yield Step("their distance along x", "s_x", demand.links.spacing_x, "m")
@@ -235,6 +235,10 @@ def _link_steps(steel: Reinforcement, rule: ShearRule, demand: ShearDemand) -> I
     yield Step("links that are given", "a_prov", area.limit, "cm2/m2", formula)
     yield Step("links that are needed, the least ones at least", "a_req", area.value, "cm2/m2", clause=area.clause)
     yield Step("share used of the links", "eta_w", area.used, "", "a_req / a_prov", area.clause)
+    if rule.link_distance is not None:
+        yield rule.link_distance(steel, demand)
+        yield Step("distance of the legs", "s_w", demand.links.apart, "m", "max(s_x, s_y)")
+        yield Step("share used of their distance", "eta_s", distances[0].used, "", "s_w / s_max")
 
 
 def _of_combination(

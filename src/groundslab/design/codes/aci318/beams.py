@@ -34,7 +34,7 @@ from groundslab.design.codes.aci318.materials_of_case import materials
 from groundslab.design.rules.bending_steps import CM2
 from groundslab.design.rules.calculation import MEGA, Step
 from groundslab.design.rules.design_code import TensionZone
-from groundslab.design.rules.webs import Flange, Web, WebNeed, force_steps
+from groundslab.design.rules.webs import ALL_LEGS, Flange, Web, WebNeed, force_steps
 from groundslab.model.design.reinforcement import Reinforcement
 
 _MPA = 1e6
@@ -80,9 +80,9 @@ def flange_steps(steel: Reinforcement, limit_state: str, flange: Flange) -> Iter
     """Yield the calculation from the stress between web and flange to the bars across at one place."""
     concrete, bars = materials(steel)
     limit, stress = flange_limit(steel, limit_state), float(flange.stress[0])
-    yield Step("specified strength of the concrete", "f_c", concrete.f_c / MEGA, "MPa", clause="19.2.1.1")
+    yield Step("specified strength of the concrete", "f_c'", concrete.f_c / MEGA, "MPa", clause="19.2.1.1")
     yield Step("strength reduction factor", "phi", PHI_SHEAR, clause="Table 21.2.1")
-    formula = "phi * min(0.2 * f_c, 3.3 + 0.08 * f_c, 11)"
+    formula = "phi * min(0.2 * f_c', 3.3 + 0.08 * f_c', 11)"
     yield Step("most that friction bears", "tau_max", limit / MEGA, "MPa", formula, "Table 22.9.4.4")
     yield Step("share used", "eta", stress / limit, "", "tau / tau_max", "22.9.4.4")
     if stress > limit:
@@ -139,6 +139,35 @@ def link_distances(steel: Reinforcement, _: str, webs: Web, _used: Array) -> tup
     return np.where(_threshold(steel, webs) < webs.T, np.minimum(along, of_torsion), along), across
 
 
+def distance_steps(steel: Reinforcement, limit_state: str, webs: Web, _: Web) -> tuple[list[Step], list[Step]]:
+    """Return the calculations of how far links, and legs across, may be from each other in one web."""
+    concrete, p_h, T_th = materials(steel)[0], float(_areas(webs)[2][0]), float(_threshold(steel, webs)[0])
+    along, across = link_distances(steel, limit_state, webs, np.zeros(1))
+    of_links = float(webs.V[0]) / PHI_SHEAR - shear.WITH_LINKS * concrete.root * webs.b * float(webs.d[0])
+    sharp = of_links > SHARP * concrete.root * webs.b * float(webs.d[0])
+    steps = [
+        *force_steps(webs, ("V_u", "T_u")),
+        Step("specified strength of the concrete", "f_c'", concrete.f_c / MEGA, "MPa", clause="19.2.1.1"),
+        Step("its root as it counts", "r", concrete.root / MEGA, "MPa", FORMULAS["root"], "22.5.3.1, 22.7.2.1"),
+        Step("strength reduction factor", "phi", PHI_SHEAR, clause="Table 21.2.1"),
+        Step("force that links carry", "V_s", of_links / MEGA, "MN",
+             f"V_u / phi - {shear.WITH_LINKS:g} * r * b_w * d", "22.5.10.5"),
+        Step("force beyond which they are half as far apart", "V_s,lim",
+             SHARP * concrete.root * webs.b * float(webs.d[0]) / MEGA, "MN", f"{SHARP:g} * r * b_w * d", "9.7.6.2.2"),
+    ]  # fmt: skip
+    half, clause = "0.5 * " if sharp else "", "Table 9.7.6.2.2"
+    of_legs = Step("largest distance of legs", "s_t,max", float(across[0]), "m", f"{half}min(d, {FARTHEST:g})", clause)
+    formula, twisted = f"{half}min(d / 2, {FARTHEST:g})", []
+    if webs.T[0] > T_th:
+        twisted = [
+            Step("distance of the bars' axis from the face", "a_1", webs.axis, "m"),
+            Step("their length", "p_h", p_h, "m", "2 * (b_w + h - 4 * a_1)", "22.7.6.1"),
+        ]
+        formula, clause = f"min({formula}, p_h / 8, {FARTHEST / 2:g})", f"{clause}, 9.7.6.3.3"
+    most = Step("largest distance of links", "s_max", float(along[0]), "m", formula, clause)
+    return [*steps, *twisted, most], [*steps, of_legs]
+
+
 def _areas(webs: Web) -> tuple[Array, Array, Array]:
     """Return A_cp and A_oh (k,) [m2], and p_h (k,) [m], of webs; A_oh ends at the bars' axes, within the links."""
     b, h = np.maximum(webs.b - 2 * webs.axis, 0.0), np.maximum(webs.h - 2 * webs.axis, 0.0)
@@ -157,7 +186,7 @@ def web_steps(steel: Reinforcement, limit_state: str, webs: Web) -> Iterator[Ste
     need, (A_cp, A_oh, p_h) = web(steel, limit_state, webs), _areas(webs)
     f_y, twisted = min(bars.f_y, MOST_F_YT), bool(need.torsion[0] > 0)
     yield from force_steps(webs, ("V_u", "T_u"))
-    yield Step("specified strength of the concrete", "f_c", concrete.f_c / MEGA, "MPa", clause="19.2.1.1")
+    yield Step("specified strength of the concrete", "f_c'", concrete.f_c / MEGA, "MPa", clause="19.2.1.1")
     yield Step("its root as it counts", "r", concrete.root / MEGA, "MPa", FORMULAS["root"], "22.5.3.1, 22.7.2.1")
     yield Step("strength reduction factor", "phi", PHI_SHEAR, clause="Table 21.2.1")
     yield Step("area of the web", "A_cp", float(A_cp[0]), "m2", "b_w * h", "22.7.4.1")
@@ -194,7 +223,7 @@ def web_steps(steel: Reinforcement, limit_state: str, webs: Web) -> Iterator[Ste
         yield Step("one leg of closed links for torsion", "a_t", leg, "cm2/m", formula, "22.7.6.1(a), 45 degrees")
         links += " + 2 * a_t"
     clause = "22.5.8.5.3" + ("; 9.5.4.3" if twisted else "")
-    yield Step("links, all legs together", "a_v", float(need.links[0]) * CM2, "cm2/m", f"max({links}, a_v,min)", clause)
+    yield Step(ALL_LEGS, "a_v", float(need.links[0]) * CM2, "cm2/m", f"max({links}, a_v,min)", clause)
     if twisted:
         yield Step("strength of bars along the beam", "f_y", f_y / MEGA, "MPa", clause="20.2.2.4")
         formula = f"{CRACK_BARS:g} * r * A_cp / f_y * 10000 - max(a_t, 0.172 * b_w / f_yt * 10000) * p_h * f_yt / f_y"

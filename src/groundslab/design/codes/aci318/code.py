@@ -89,6 +89,7 @@ ACI318 = DesignCode(
         flange=FlangeRule(beams.flange_bars, beams.flange_limit, "22.9", beams.flange_steps),
         cracks=beams.cracks,
         link_distances=beams.link_distances,
+        distance_steps=beams.distance_steps,
         distance_clauses="9.7.6.2.2, 9.7.6.3.3",
     ),
     walls=WallRule(walls.least, walls.most, walls.steps, "9.9.2.1, 9.9.3.1"),

@@ -21,7 +21,7 @@ PHI_BENDING, PHI_SHEAR = 0.9, 0.75
 #: The largest (f'c)^(1/2) [MPa] that counts in shear (22.5.3.1, 22.6.3.1), and f_yt [Pa] of links (20.2.2.4).
 MOST_ROOT, MOST_F_YT = 8.3, 413.6 * _MPA
 #: The formulas of what counts in shear, with stresses in MPa and lengths in m.
-FORMULAS = {"root": "min(8.3, sqrt(f_c))", "lambda_s": "min(1, sqrt(2 / (1 + 0.004 * 1000 * d)))"}
+FORMULAS = {"root": "min(8.3, sqrt(f_c'))", "lambda_s": "min(1, sqrt(2 / (1 + 0.004 * 1000 * d)))"}
 
 
 @dataclass(frozen=True, slots=True)

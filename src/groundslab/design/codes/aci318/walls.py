@@ -30,8 +30,8 @@ def most(steel: Reinforcement, _: str, t: float, height: float) -> float:
 def steps(steel: Reinforcement, limit_state: str, t: float, height: float) -> Iterator[Step]:
     """Yield how the largest shear force that a wall bears is found."""
     concrete, _ = materials(steel)
-    yield Step("specified strength of the concrete", "f_c", concrete.f_c / MEGA, "MPa", clause="19.2.1.1")
-    formula = f"min({MOST_ROOT:g}, sqrt(f_c))"
+    yield Step("specified strength of the concrete", "f_c'", concrete.f_c / MEGA, "MPa", clause="19.2.1.1")
+    formula = f"min({MOST_ROOT:g}, sqrt(f_c'))"
     yield Step("its root that counts", "r", concrete.root / MEGA, "MPa^0.5", formula, "22.5.3.1")
     yield Step("strength reduction factor", "phi", PHI_SHEAR, clause="Table 21.2.1")
     yield Step("depth", "d", DEPTH * height, "m", f"{DEPTH:g} * h", "9.9.2.1")

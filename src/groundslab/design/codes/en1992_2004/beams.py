@@ -21,7 +21,7 @@ most 1.2 in compressed flanges and 1.0 in those in tension, which is within what
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -36,7 +36,7 @@ from groundslab.design.codes.eurocode2.torsion import Tube
 from groundslab.design.rules.bending_steps import CM2
 from groundslab.design.rules.calculation import MEGA, Step
 from groundslab.design.rules.design_code import TensionZone
-from groundslab.design.rules.webs import Flange, Web, WebNeed, force_steps
+from groundslab.design.rules.webs import ALL_LEGS, Flange, Web, WebNeed, force_steps
 from groundslab.model.design.reinforcement import Reinforcement
 
 #: The largest cot theta_f of compressed flanges, and of those in tension (6.2.4(4)).
@@ -226,6 +226,39 @@ def link_distances(steel: Reinforcement, limit_state: str, webs: Web, used: Arra
     return np.where(webs.T > 0, np.minimum(along, of_torsion), along), across
 
 
+def distance_steps(steel: Reinforcement, limit_state: str, webs: Web, strained: Web) -> tuple[list[Step], list[Step]]:
+    """Return the calculations of how far links, and legs across, may be from each other in one web."""
+    annex, need = materials(steel, limit_state)[0].annex, web(steel, limit_state, strained)
+    along, across = link_distances(steel, limit_state, webs, need.used)
+    used, up_to = [], [row[0] for row in annex.link_distances]
+    if len(up_to) > 1:
+        steps = [*web_steps(steel, limit_state, strained)]
+        used = steps[: 1 + next(n for n, step in enumerate(steps) if step.symbol == "eta")]
+    symbol, depth = ("h", webs.h) if annex.link_distances_by_height else ("d", webs.d)
+    given = [Step("height with the flange" if symbol == "h" else "effective depth", symbol, float(depth[0]), "m")]
+    given = [] if any(step.symbol == symbol for step in used) else given
+    row = min(int(np.searchsorted(up_to, float(need.used[0]))), len(up_to) - 1)
+
+    def least(rows: Sequence[tuple[float, float, float]], *others: str) -> str:
+        _, share, most = rows[row]
+        terms = [f"{share:g} * {symbol}", *([f"{most:g}"] if np.isfinite(most) else []), *others]
+        return terms[0] if len(terms) == 1 else f"min({', '.join(terms)})"
+
+    twisted = bool(webs.T[0] > 0)
+    sizes = [
+        Step("width of the web", "b_w", webs.b, "m"),
+        Step("height with the flange", "h", float(webs.h[0]), "m"),
+    ] if twisted else []  # fmt: skip
+    sizes = [step for step in sizes if all(step.symbol != other.symbol for other in (*used, *given))]
+    of_torsion = ("(b_w + h) / 4", "b_w", "h") if twisted else ()
+    words = "largest distance of links" if len(up_to) == 1 else "largest distance of links, by the share used"
+    of_legs = "largest distance of legs" if len(up_to) == 1 else "largest distance of legs, by the share used"
+    clause = "9.2.2(6), 9.2.3(3)" if twisted else "9.2.2(6)"
+    most = Step(words, "s_max", float(along[0]), "m", least(annex.link_distances, *of_torsion), clause)
+    of_leg = Step(of_legs, "s_t,max", float(across[0]), "m", least(annex.leg_distances), "9.2.2(8)")
+    return [*used, *given, *sizes, most], [*used, *given, of_leg]
+
+
 def _shear_of_both(steel: Reinforcement, concrete: Concrete, webs: Web) -> Array:
     """Return the shear forces per width (k,) [N/m] that ask of struts what shear and torsion do, formula 6.29."""
     z = shear.lever(concrete, webs.d, largest_cover(steel))
@@ -276,7 +309,7 @@ def web_steps(steel: Reinforcement, limit_state: str, webs: Web) -> Iterator[Ste
     both = "(V_Ed / z + T_Ed / A_k)" if twisted else "V_Ed / z"
     formula = f"max({both} / (f_ywd * cot) * 10000, a_sw,min)"
     clause = "6.2.3(3), 6.8" + ("; 6.3.2(2)" if twisted else "")
-    yield Step("links, all legs together", "a_sw", float(need.links[0]) * CM2, "cm2/m", formula, clause)
+    yield Step(ALL_LEGS, "a_sw", float(need.links[0]) * CM2, "cm2/m", formula, clause)
     if twisted:
         along, formula = float(need.along[0]) * CM2, "T_Ed * u_k * cot / (2 * A_k * f_ywd) * 10000"
         yield Step("bars along the beam for torsion", "A_sl", along, "cm2", formula, "6.3.2(3), 6.28")

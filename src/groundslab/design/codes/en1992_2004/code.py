@@ -87,6 +87,7 @@ EN1992 = DesignCode(
         flange=FlangeRule(beams.flange_bars, beams.flange_limit, "6.2.4", beams.flange_steps),
         cracks=beams.cracks,
         link_distances=beams.link_distances,
+        distance_steps=beams.distance_steps,
         distance_clauses="9.2.2(6), (8), 9.2.3(3)",
     ),
     walls=WallRule(walls.least, walls.most, walls.steps, "6.9, 9.6.2, 9.6.3, 9.7"),

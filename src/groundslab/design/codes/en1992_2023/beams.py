@@ -27,7 +27,7 @@ from groundslab.design.codes.eurocode2.torsion import Tube
 from groundslab.design.rules.bending_steps import CM2
 from groundslab.design.rules.calculation import MEGA, Step
 from groundslab.design.rules.design_code import TensionZone
-from groundslab.design.rules.webs import Flange, Web, WebNeed, force_steps
+from groundslab.design.rules.webs import ALL_LEGS, Flange, Web, WebNeed, force_steps
 from groundslab.model.design.reinforcement import Reinforcement
 
 #: A share of the concrete that is as good as none.
@@ -145,7 +145,7 @@ def web_steps(steel: Reinforcement, limit_state: str, webs: Web) -> Iterator[Ste
     both = "V_Ed / (z * cot) + T_Ed / A_k" if twisted else "V_Ed / (z * cot)"
     formula = f"max(({both}) / f_ywd * 10000, a_sw,min)"
     clause = "8.2.3, 8.42" + ("; 8.3.4, 8.82" if twisted else "")
-    yield Step("links, all legs together", "a_sw", float(need.links[0]) * CM2, "cm2/m", formula, clause)
+    yield Step(ALL_LEGS, "a_sw", float(need.links[0]) * CM2, "cm2/m", formula, clause)
     if twisted:
         formula = "T_Ed * u_k / (2 * A_k * f_ywd) * 10000"
         along = float(need.along[0]) * CM2

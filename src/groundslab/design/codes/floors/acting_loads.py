@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
@@ -49,6 +49,39 @@ class Force:
     location: Location
     share: float
     shape: BaseGeometry  # what all of it stands on
+    away: float = 0.0  # from the corner that it is near, or else from the nearest edge [m]
+    cases: tuple[tuple[str, float, float], ...] = ()  # each case with its factor and its loads [N]
+
+
+class LinePiece(NamedTuple):
+    """A line load on the plate: the largest q [N/m] of its case, the case's factor, where it is."""
+
+    case: str
+    factor: float
+    q: float
+    away: float  # from edges [m]
+    place: tuple[float, float]  # of its middle [m]
+
+
+class Pressure(NamedTuple):
+    """A pressure on an area or on the whole plate, and what others add there, with their factors."""
+
+    case: str  # empty of what acts on the whole plate
+    factor: float
+    q: float  # the largest of it [Pa]
+    over: float  # of others that it may overlap [Pa]
+    everywhere: float  # on the whole plate [Pa]
+    place: tuple[float, float]  # [m]
+
+    @property
+    def own(self) -> float:
+        """Return it with its factor [Pa]."""
+        return self.factor * self.q
+
+    @property
+    def total(self) -> float:
+        """Return it with what others add [Pa]."""
+        return self.own + self.over + self.everywhere
 
 
 class Borders:
@@ -71,16 +104,22 @@ class Borders:
         corners: Array = at[turned * (1 if self.ring.exterior.is_ccw else -1) > TURN]
         return corners
 
-    def locate(self, place: tuple[float, float], reach: float) -> tuple[Location, bool]:
-        """Return where a place lies, near being within a reach [m], and whether that is at the plate's outline."""
+    def locate(self, place: tuple[float, float], reach: float) -> tuple[Location, float, bool]:
+        """Return where a place lies, near being within a reach [m], how far from the corner or the nearest edge [m].
+
+        Last is whether it is near the plate's outline.
+        """
         from shapely import Point
 
         point = Point(place)
-        if len(self.corners) and np.hypot(*(self.corners - place).T).min() < reach:
-            return "corner", True
-        if self.ring.exterior.distance(point) < reach:
-            return "edge", True
-        return ("edge" if any(opening.distance(point) < reach for opening in self.openings) else "internal"), False
+        corner = float(np.hypot(*(self.corners - place).T).min(initial=np.inf))
+        if corner < reach:
+            return "corner", corner, True
+        outer = float(self.ring.exterior.distance(point))
+        if outer < reach:
+            return "edge", outer, True
+        away = min([outer, *(float(opening.distance(point)) for opening in self.openings)])
+        return ("edge" if away < reach else "internal"), away, False
 
 
 def forces(results: CombinationResult, borders: Borders, h: float, l: float, transfer: float) -> list[Force]:  # noqa: E741
@@ -93,22 +132,31 @@ def forces(results: CombinationResult, borders: Borders, h: float, l: float, tra
     model = results.solved_model
     factors = factors_of(results)
     point_loads = [
-        (factors[load.case] * load.P, load.on(model.columns))
+        (factors[load.case] * load.P, load.on(model.columns), load)
         for load in model.loads
         if isinstance(load, PointLoad) and factors.get(load.case, 0.0) * load.P > 0
     ]
-    P = np.array([force for force, _ in point_loads])
-    places = np.array([(load.x, load.y) for _, load in point_loads], dtype=float).reshape(-1, 2)
+    P = np.array([force for force, _, _ in point_loads])
+    places = np.array([(load.x, load.y) for _, load, _ in point_loads], dtype=float).reshape(-1, 2)
     grouped = []
     for members in _as_one(places, AS_ONE * h):
         shapes = [point_loads[n][1].to_shapely(borders.chord) for n in members]
         shape = union_all(shapes).convex_hull if len(shapes) > 1 else shapes[0]
         x, y = (P[members] @ places[members] / P[members].sum()).tolist()
         a = math.sqrt(shape.area / math.pi)
-        location, at_outline = borders.locate((x, y), l + a)
+        location, away, at_outline = borders.locate((x, y), l + a)
         share = 1 - transfer if at_outline else 1.0
-        grouped.append(Force(float(P[members].sum()), a, (x, y), location, share, shape))
+        cases = _by_case([point_loads[n][2] for n in members], factors)
+        grouped.append(Force(float(P[members].sum()), a, (x, y), location, share, shape, away, cases))
     return grouped
+
+
+def _by_case(loads: Sequence[PointLoad], factors: Mapping[str, float]) -> tuple[tuple[str, float, float], ...]:
+    """Return each case of some loads, with its factor and the sum of its loads [N]."""
+    sums: dict[str, float] = {}
+    for load in loads:
+        sums[load.case] = sums.get(load.case, 0.0) + load.P
+    return tuple((case, factors[case], P) for case, P in sums.items())
 
 
 def _as_one(places: Array, distance: float) -> list[Integers]:
@@ -180,8 +228,8 @@ def worst_location(loads: tuple[Force, ...]) -> Location:
     return max((load.location for load in loads), key=WORST.index)
 
 
-def line_loads(results: CombinationResult, borders: Borders) -> Iterator[tuple[float, float, tuple[float, float]]]:
-    """Yield each line load of a combination: its largest q [N/m], its distance from edges [m], its middle [m]."""
+def line_loads(results: CombinationResult, borders: Borders) -> Iterator[LinePiece]:
+    """Yield each line load of a combination."""
     from shapely import LineString
 
     model = results.solved_model
@@ -192,11 +240,11 @@ def line_loads(results: CombinationResult, borders: Borders) -> Iterator[tuple[f
                 line = LineString(piece.edge.at(np.linspace(0, 1, piece.edge.chords(borders.chord) + 1)))
                 away = min(edge.distance(line) for edge in (borders.ring.exterior, *borders.openings))
                 x, y = line.interpolate(0.5, normalized=True).coords[0]
-                yield factors[load.case] * max(piece.q), away, (x, y)
+                yield LinePiece(load.case, factors[load.case], max(piece.q), away, (x, y))
 
 
-def pressures(results: CombinationResult) -> Iterator[tuple[float, tuple[float, float]]]:
-    """Yield each pressure of a combination [Pa] with those that it may overlap, and a place in it [m].
+def pressures(results: CombinationResult) -> Iterator[Pressure]:
+    """Yield each pressure of a combination with those that it may overlap, and a place in it.
 
     A pressure on the whole plate counts where its case is variable: goods are not everywhere all the time.
     """
@@ -205,7 +253,7 @@ def pressures(results: CombinationResult) -> Iterator[tuple[float, tuple[float, 
     plate = get_plate_region(model.plate, model.plates).grown
     variable = {case.name for case in model.cases if case.action == "variable"}
     everywhere = 0.0
-    parts: list[tuple[float, BaseGeometry]] = []
+    parts: list[tuple[str, float, float, BaseGeometry]] = []
     for load, shape in model.acting:
         factor = factors.get(load.case, 0.0)
         if isinstance(shape, PlateAction) and load.case in variable:
@@ -214,11 +262,15 @@ def pressures(results: CombinationResult) -> Iterator[tuple[float, tuple[float, 
             area = shape.to_shapely().intersection(plate)
             if area.area > 0:
                 corners = np.array(area.convex_hull.exterior.coords)
-                parts.append((factor * float(shape.pressure(corners).max()), area))
+                parts.append((load.case, factor, float(shape.pressure(corners).max()), area))
     if everywhere > 0:
         x0, x1, y0, y1 = model.bounds
-        yield everywhere, ((x0 + x1) / 2, (y0 + y1) / 2)
-    for n, (q, area) in enumerate(parts):
-        over = sum(other for m, (other, at) in enumerate(parts) if m != n and other > 0 and area.intersects(at))
+        yield Pressure("", 0.0, 0.0, 0.0, everywhere, ((x0 + x1) / 2, (y0 + y1) / 2))
+    for n, (case, factor, q, area) in enumerate(parts):
+        over = sum(
+            by * other
+            for m, (_, by, other, at) in enumerate(parts)
+            if m != n and by * other > 0 and area.intersects(at)
+        )
         place = area.representative_point()
-        yield q + over + everywhere, (place.x, place.y)
+        yield Pressure(case, factor, q, over, everywhere, (place.x, place.y))

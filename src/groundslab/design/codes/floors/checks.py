@@ -11,69 +11,48 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
 
 from groundslab.arrays import Array
 from groundslab.design.codes.en1992_2004 import perimeter_demand
 from groundslab.design.codes.en1992_2004 import punching as punching_resistance
-from groundslab.design.codes.en1992_2004.materials import CONCRETE_CLASSES, Concrete, Steel
+from groundslab.design.codes.en1992_2004.materials import Concrete
 from groundslab.design.codes.en1992_2004.perimeters import face_length, openings
-from groundslab.design.codes.floors import acting_loads, resistance, strips, yield_lines
+from groundslab.design.codes.floors import acting_loads, force_steps, resistance, slab_steps, strips, yield_lines
 from groundslab.design.codes.floors.acting_loads import Borders, Force
+from groundslab.design.codes.floors.slab import (
+    Slab,
+    allowed_stress,
+    concrete_of,
+    effective_depth,
+    friction_stress,
+    sagging_moment,
+    slab_of,
+)
 from groundslab.design.codes.floors.yield_lines import Location, YieldSlab
 from groundslab.design.demands.by_plate import split_by_plate
 from groundslab.design.demands.design_moments import principal_moments
 from groundslab.design.demands.perimeters import surroundings
+from groundslab.design.rules.calculation import Step
 from groundslab.design.rules.check import NO_COMBINATION, NO_PERIMETER, DesignCheck, not_judged
 from groundslab.design.rules.combinations import solved_results, ultimate_results, why_none
 from groundslab.design.rules.demand_errors import MOMENT, error_at_nodes, error_of, scaled
-from groundslab.discretize.ground import grounds_of
 from groundslab.errors import InputError
-from groundslab.fem.foundation import Column
 from groundslab.messages import Message, Name, joined, quantity
 from groundslab.model.design.floors import ACI360Floor, AnyFloor, TR34Floor
-from groundslab.model.ground import ContinuousGround
 from groundslab.model.loads.load_cases import SERVICEABILITY, STRENGTH
-from groundslab.model.model import Model
-from groundslab.results.fields import extreme
+from groundslab.results.fields import extreme_node, place_of
 from groundslab.results.results import CombinationResult, Results
 
-#: Effective depth over thickness where there is no mesh, as TR34 has it.
-FIBER_DEPTH = 0.75
 #: Within so many radii of relative stiffness loads may fail together.
 REACH = 7.0
 #: Results of combinations, with the forces in each.
 Standing = list[tuple[CombinationResult, list[Force]]]
+#: Faces of the slab, and the sign of moments that make tension there.
+FACES = {"bottom": 1, "top": -1}
 NAMES = {1: "point load", 2: "dual point load", 4: "quadruple point load"}
-
-
-@dataclass(frozen=True, slots=True)
-class Slab:
-    """What the formulas know of a floor: E [Pa], h [m], nu, k [Pa/m]; whether k stands for an elastic continuum."""
-
-    E: float
-    h: float
-    nu: float
-    k: float
-    equivalent: bool = False
-
-    @property
-    def l(self) -> float:  # noqa: E743  the field's letter
-        """Return the radius of relative stiffness [m]."""
-        return yield_lines.relative_stiffness_radius(self.E, self.h, self.nu, self.k)
-
-    @property
-    def springs(self) -> str:
-        """Return the note on k after a clause, empty where the ground itself has a k."""
-        return (
-            Message(", with k = {k:.3g MPa/m} equivalent to the continuum", k=self.k / 1e6) if self.equivalent else ""
-        )
-
-    @property
-    def lam(self) -> float:
-        """Return lambda [1/m] of a strip."""
-        return strips.characteristic(self.E, self.h, self.k)
 
 
 @dataclass(frozen=True, slots=True)
@@ -85,6 +64,7 @@ class Use:
     place: tuple[float, float]
     combination: str
     error: float | None = None  # of the demand; none of loads that are given
+    steps: Callable[[], Iterable[Step]] = tuple  # its calculation, which is made of what governs alone
 
     @property
     def share(self) -> float:
@@ -133,15 +113,6 @@ def _serviceable(combined: Results) -> list[CombinationResult]:
     return [result for result in solved_results(combined) if result.limit_state in SERVICEABILITY]
 
 
-def slab_of(model: Model) -> Slab:
-    """Return the slab that the formulas use for a model: its thinnest part on its softest ground."""
-    plate = model.plate
-    h = min([plate.thickness, *(zone.thickness for zone in plate.zones if zone.thickness is not None)])
-    grounds = [ground if isinstance(ground, Column) else ground.first_column() for ground in grounds_of(model)]
-    k = min(1 / float(np.linalg.inv(column.A0)[0, 0]) for column in grounds)
-    return Slab(plate.E, h, plate.nu, k, isinstance(model.ground, ContinuousGround))
-
-
 def _by_tr34(floor: TR34Floor, slab: Slab, standing: Standing) -> Iterator[DesignCheck]:
     """Yield point loads, line loads and pressures on a plate by TR34 in the ultimate combinations."""
     concrete = concrete_of(floor)
@@ -150,31 +121,15 @@ def _by_tr34(floor: TR34Floor, slab: Slab, standing: Standing) -> Iterator[Desig
     lines = YieldSlab(slab.l, sagging_moment(floor, concrete, slab.h), M_n)
 
     def fails(loads: tuple[Force, ...], distances: float, location: Location) -> float:
-        a = min(load.a for load in loads)
-        alone = sum(yield_lines.single(lines, load.a, location) for load in loads)
-        return alone if len(loads) == 1 else min(alone, yield_lines.group(lines, a, distances, location))
+        return yield_lines.together(lines, [load.a for load in loads], distances, location)
 
     clause = Message("TR34 yield lines, Meyerhof 1962{springs}", springs=slab.springs)
-    yield from _point_loads(slab, standing, fails, dict.fromkeys(NAMES, clause))
+    yield from _point_loads(
+        slab, standing, (fails, partial(force_steps.by_tr34, floor, slab)), dict.fromkeys(NAMES, clause)
+    )
     yield from _punching(floor, concrete, slab, standing)
-    yield from _line_loads(slab, M_n, results, Message("TR34, Hetenyi 1946{springs}", springs=slab.springs))
-    yield from _pressures(slab, M_n, results, Message("TR34, Hetenyi 1946{springs}", springs=slab.springs))
-
-
-def concrete_of(floor: TR34Floor) -> Concrete:
-    """Return the concrete of a floor by TR34."""
-    f_ck = floor.f_ck if floor.concrete is None else CONCRETE_CLASSES[floor.concrete] * 1e6
-    assert f_ck is not None
-    return Concrete(f_ck, floor.gamma_c)
-
-
-def sagging_moment(floor: TR34Floor, concrete: Concrete, h: float) -> float:
-    """Return M_p [N m/m]: of fibers or a mesh; plain concrete has none once it has cracked."""
-    if floor.f_R1 is not None and floor.f_R4 is not None:
-        return resistance.fiber_moment(floor.f_R1, floor.f_R4, h, concrete.gamma_c)
-    if floor.mesh_area is not None and floor.mesh_axis is not None:
-        return resistance.mesh_moment(floor.mesh_area, h - floor.mesh_axis, Steel(floor.f_yk, floor.gamma_s))
-    return 0.0
+    yield from _line_loads(floor, slab, results, Message("TR34, Hetenyi 1946{springs}", springs=slab.springs))
+    yield from _pressures(floor, slab, M_n, results, Message("TR34, Hetenyi 1946{springs}", springs=slab.springs))
 
 
 def _punching(floor: TR34Floor, concrete: Concrete, slab: Slab, standing: Standing) -> Iterator[DesignCheck]:
@@ -185,7 +140,7 @@ def _punching(floor: TR34Floor, concrete: Concrete, slab: Slab, standing: Standi
             before = largest.get(load.location)
             if load.a and (before is None or load.share * load.P > before[0].share * before[0].P):
                 largest[load.location] = load, result
-    d = FIBER_DEPTH * slab.h if floor.mesh_axis is None else slab.h - floor.mesh_axis
+    d = effective_depth(floor, slab.h)
     rho = 0.0 if floor.mesh_area is None else floor.mesh_area / d
     at_footprint = punching_resistance.max_resistance(concrete)
     assert at_footprint is not None  # the recommended values have it
@@ -197,15 +152,19 @@ def _punching(floor: TR34Floor, concrete: Concrete, slab: Slab, standing: Standi
         column = acting_loads.as_column(load)
         P = load.share * load.P
         try:
-            at_face = P / (face_length(surroundings(result.plate, column, 0.0, openings(d)), d) * d)
-            around = perimeter_demand.demand(result.plate, column, d, P).v_Ed
+            around = surroundings(result.plate, column, 0.0, openings(d))
+            u_0, found = face_length(around, d), perimeter_demand.demand(result.plate, column, d, P)
         except InputError as error:
             yield not_judged("punching", NO_PERIMETER, joined((location, str(error))), of=location)
             continue
         change = error_of(result, lambda mesh: perimeter_demand.demand(mesh.plate, column, d, P).v_Ed)  # noqa: B023  made at once
-        rows = (("punching at the footprint", at_face, None), ("punching", around, change))
-        for (name, v_Ed, its_own), v_Rd in zip(rows, limits, strict=True):
-            use = Use(max(v_Ed, 0.0), v_Rd, load.place, result.combination, its_own)
+        at_face = partial(force_steps.at_footprint, floor, slab, load, around, u_0)
+        beyond = partial(force_steps.around_it, floor, slab, load, around, found)
+        rows = (
+            ("punching at the footprint", P / (u_0 * d), None, at_face), ("punching", found.v_Ed, change, beyond),
+        )  # fmt: skip
+        for (name, v_Ed, its_own, steps), v_Rd in zip(rows, limits, strict=True):
+            use = Use(max(v_Ed, 0.0), v_Rd, load.place, result.combination, its_own, steps)
             yield _check(name, location, use, "MPa", 1e-6, "TR34, EN 1992-1-1 6.4")
 
 
@@ -213,39 +172,37 @@ def _by_aci(floor: ACI360Floor, slab: Slab, standing: Standing) -> Iterator[Desi
     """Yield stresses, pressures and, of fiber concrete, yield lines by ACI 360R in combinations of serviceability."""
     results = [result for result, _ in standing]
     allowed = allowed_stress(floor)
-    drag = _drag(floor)
-    for face, sign in (("bottom", 1), ("top", -1)):
-        uses = [_stress(result, sign, drag, allowed) for result in results]
+    drag = friction_stress(floor)
+    for face, sign in FACES.items():
+        uses = [_stress(floor, result, face, sign) for result in results]
         clause = "ACI 360R-10 7.2, 5.9, table 5.3"
         worst = max(range(len(uses)), key=lambda number: uses[number].share)
         use = replace(uses[worst], error=_error_of_stress(results[worst], sign))
         yield _check("flexural stress", face, use, "MPa", 1e-6, clause)
-    yield from _pressures(
-        slab, (allowed - drag) * slab.h**2 / 6, results, Message("PCA, ACI 360R-10 A1{springs}", springs=slab.springs)
-    )
+    clause = Message("PCA, ACI 360R-10 A1{springs}", springs=slab.springs)
+    yield from _pressures(floor, slab, (allowed - drag) * slab.h**2 / 6, results, clause)
     if floor.R_e3 is not None:
-        M_0 = floor.f_r * (1 + floor.R_e3) * slab.h**2 / 6
+        M_0 = force_steps.cracked_moment(floor, slab.h)
 
         def fails(loads: tuple[Force, ...], distances: float, location: Location) -> float:  # noqa: ARG001
             (load,) = loads
             return yield_lines.meyerhof(M_0, load.a, slab.l, location) / floor.safety_factor
 
+        def steps(loads: tuple[Force, ...], distances: float, location: Location) -> Iterable[Step]:  # noqa: ARG001
+            return force_steps.by_meyerhof(floor, slab, loads[0])
+
         clause = Message("ACI 360R-10 11.3.3.3, Meyerhof 1962{springs}", springs=slab.springs)
-        yield from _point_loads(slab, standing, fails, {1: clause})
+        yield from _point_loads(slab, standing, (fails, steps), {1: clause})
 
 
-def allowed_stress(floor: ACI360Floor) -> float:
-    """Return the allowed flexural stress [Pa]: f_r / SF, or as repetitions allow; f_r R_e,3 of fiber concrete."""
-    ratio = max(1 / floor.safety_factor, floor.R_e3 or 0.0)
-    if floor.repetitions is not None:
-        ratio = min(ratio, resistance.allowed_ratio(floor.repetitions))
-    return floor.f_r * min(ratio, 1.0)
-
-
-def _stress(results: CombinationResult, sign: int, drag: float, allowed: float) -> Use:
+def _stress(floor: ACI360Floor, results: CombinationResult, face: str, sign: int) -> Use:
     """Return the largest tension at a face, 6 m / h^2 of principal moments and what friction adds, against a stress."""
-    stress, place = extreme(results.plate.nodes, _tension(results, sign), 1)
-    return Use(max(stress, 0.0) + drag, allowed, place, results.combination)
+    plate, tension = results.plate, _tension(results, sign)
+    node = extreme_node(plate.nodes, tension, 1)
+    stress, h = max(float(tension[node]), 0.0) + friction_stress(floor), results.elements.at_nodes(plate)[0]
+    moments = float(plate.moment_x[node]), float(plate.moment_y[node]), float(plate.moment_xy[node])
+    steps = partial(slab_steps.stress, floor, moments, float(h[node]), stress, face)
+    return Use(stress, allowed_stress(floor), place_of(plate.nodes, node), results.combination, steps=steps)
 
 
 def _tension(results: CombinationResult, sign: int) -> Array:
@@ -261,8 +218,9 @@ def _error_of_stress(results: CombinationResult, sign: int) -> float | None:
     return error_at_nodes(results, MOMENT, lambda mesh: _tension(mesh, sign))
 
 
-#: What a group of forces fails at [N]: the forces, the sum of their distances [m], where they are.
-Fails = Callable[[tuple[Force, ...], float, Location], float]
+#: What a group of forces fails at [N], and its steps: by the forces, the sum of their distances [m], where they are.
+Resists = Callable[[tuple[Force, ...], float, Location], float]
+Followed = Callable[[tuple[Force, ...], float, Location], Iterable[Step]]
 
 
 def _standing(floor: AnyFloor, slab: Slab, results: list[CombinationResult]) -> Standing:
@@ -271,9 +229,12 @@ def _standing(floor: AnyFloor, slab: Slab, results: list[CombinationResult]) -> 
     return [(result, acting_loads.forces(result, borders, slab.h, slab.l, floor.joint_transfer)) for result in results]
 
 
-def _point_loads(slab: Slab, standing: Standing, fails: Fails, clauses: dict[int, str]) -> Iterator[DesignCheck]:
+def _point_loads(
+    slab: Slab, standing: Standing, fails: tuple[Resists, Followed], clauses: dict[int, str]
+) -> Iterator[DesignCheck]:
     """Yield the worst of single forces, of two and of four, each inside, at edges and at corners."""
     worst = dict[tuple[int, Location], Use]()
+    fails_at, steps = fails
     for result, loads in standing:
         groups: Iterable[tuple[tuple[Force, ...], float]] = [((load,), 0.0) for load in loads]
         if 2 in clauses:
@@ -281,7 +242,9 @@ def _point_loads(slab: Slab, standing: Standing, fails: Fails, clauses: dict[int
         for members, distances in groups:
             location = acting_loads.worst_location(members)
             demand = sum(load.share * load.P for load in members)
-            use = Use(demand, fails(members, distances, location), _middle(members), result.combination)
+            follow = partial(steps, members, distances, location)
+            resists = fails_at(members, distances, location)
+            use = Use(demand, resists, _middle(members), result.combination, steps=follow)
             key = len(members), location
             if key not in worst or use.share > worst[key].share:
                 worst[key] = use
@@ -308,46 +271,47 @@ def _middle(members: tuple[Force, ...]) -> tuple[float, float]:
     return float(x), float(y)
 
 
-def _line_loads(slab: Slab, M: float, results: list[CombinationResult], clause: str) -> Iterator[DesignCheck]:
+def _line_loads(floor: TR34Floor, slab: Slab, results: list[CombinationResult], clause: str) -> Iterator[DesignCheck]:
     """Yield the worst line load."""
-    borders = Borders(results[0].model)
+    borders, M_n = Borders(results[0].model), resistance.plain_moment(concrete_of(floor), slab.h)
     near = strips.NEAR_EDGE / slab.lam
-    uses = [
-        Use(q, strips.line_load(M, slab.lam, away < near), place, result.combination)
-        for result in results
-        for q, away, place in acting_loads.line_loads(result, borders)
-    ]
+    uses = []
+    for result in results:
+        for line in acting_loads.line_loads(result, borders):
+            at_edge = line.away < near
+            steps = partial(slab_steps.line_load, floor, slab, line, at_edge=at_edge)
+            most = strips.line_load(M_n, slab.lam, at_edge)
+            uses.append(Use(line.factor * line.q, most, line.place, result.combination, steps=steps))
     if uses:
         yield _check("line load", "", max(uses, key=lambda use: use.share), "kN/m", 1e-3, clause)
 
 
-def _pressures(slab: Slab, M: float, results: list[CombinationResult], clause: str) -> Iterator[DesignCheck]:
+def _pressures(
+    floor: AnyFloor, slab: Slab, M: float, results: list[CombinationResult], clause: str
+) -> Iterator[DesignCheck]:
     """Yield the largest pressure against the one that may stand beside any aisle."""
     allowed = strips.aisle_load(max(M, math.ulp(1.0)), slab.lam)
     uses = [
-        Use(q, allowed, place, result.combination) for result in results for q, place in acting_loads.pressures(result)
-    ]
+        Use(each.total, allowed, each.place, result.combination,
+            steps=partial(slab_steps.pressure, floor, slab, each, allowed))
+        for result in results
+        for each in acting_loads.pressures(result)
+    ]  # fmt: skip
     if uses:
         yield _check("pressure beside aisles", "", max(uses, key=lambda use: use.share), "kPa", 1e-3, clause)
 
 
-def _drag(floor: AnyFloor) -> float:
-    """Return the tension [Pa] that friction adds where shrinkage is restrained."""
-    if floor.friction is None or floor.joint_spacing is None:
-        return 0.0
-    return resistance.restraint_stress(floor.friction, floor.unit_weight, floor.joint_spacing)
-
-
 def _restraint(floor: AnyFloor) -> Iterator[DesignCheck]:
     """Yield the tension by friction against the concrete's strength, if there is any."""
-    if drag := _drag(floor):
+    if drag := friction_stress(floor):
         if isinstance(floor, TR34Floor):
             strength = resistance.tensile_strength(concrete_of(floor))
             clause = "mu gamma L / 2 against f_ctd, EN 1992-1-1 3.1.6(2)P"
         else:
             strength = allowed_stress(floor)
             clause = "mu gamma L / 2 against the allowed stress, ACI 360R-10 10.3.2"
-        yield _check("restraint of shrinkage", "", Use(drag, strength, (0.0, 0.0), ""), "MPa", 1e-6, clause)
+        use = Use(drag, strength, (0.0, 0.0), "", steps=partial(slab_steps.restraint, floor))
+        yield _check("restraint of shrinkage", "", use, "MPa", 1e-6, clause)
 
 
 def _check(name: str, of: str, use: Use, unit: str, scale: float, clause: str) -> DesignCheck:
@@ -382,4 +346,5 @@ def _check(name: str, of: str, use: Use, unit: str, scale: float, clause: str) -
         combination=use.combination,
         place=use.place if use.combination else None,
         error=scaled(use.error, scale),
+        steps=tuple(use.steps()),
     )

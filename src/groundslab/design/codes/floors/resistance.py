@@ -10,6 +10,17 @@ from groundslab.design.codes.en1992_2004.materials import Concrete, Steel
 SIGMA_1, SIGMA_4 = 0.45, 0.37
 #: A stress over the modulus of rupture that may be repeated for ever, and from which the line of PCA 1984 holds.
 ENDLESS, STRAIGHT = 0.45, 0.55
+#: The formulas of the functions here, with forces in MN, stresses in MPa and lengths in m.
+FORMULAS = {
+    "f_ctd,fl": "max(1.6 - h, 1) * f_ctm / gamma_C",
+    "M_n": "f_ctd,fl * h^2 / 6",
+    "M_p of fibers": f"h^2 / gamma_C * (0.29 * {SIGMA_4:g} * f_R4 + 0.16 * {SIGMA_1:g} * f_R1)",
+    "M_p of a mesh": "0.95 * A_s / 10000 * f_yd * d",
+    "f_ctd": "0.7 * f_ctm / gamma_C",
+    "sigma_f": "mu * gamma * L / 2 / 1000",
+    "r_N often": f"max(0.43248 + 4.2577 / N^(1 / 3.268), {ENDLESS:g})",
+    "r_N": "0.97187 - 0.0828 * log10(N)",
+}
 
 
 def flexural_strength(concrete: Concrete, h: float) -> float:

@@ -14,6 +14,13 @@ import math
 NEAR_EDGE = 2.0
 #: Moments of a line load inside and at an edge, over P / lambda: 1 / 4, and 1 / 3 as TR34 has it for 0.3224.
 INSIDE, AT_EDGE = 1 / 4, 1 / 3
+#: The formulas of the functions here, with forces in MN, stresses in MPa and lengths in m.
+FORMULAS = {
+    "lambda": "(3 * k / (E * h^3))^(1/4)",
+    "inside": f"{1 / INSIDE:g} * lambda * M_n",
+    "at_edge": f"{1 / AT_EDGE:g} * lambda * M_n",
+    "aisle": "2 * lambda^2 * M_n / (sin(pi / 4) / exp(pi / 4) - sin(5 * pi / 4) / exp(5 * pi / 4))",
+}
 
 
 def characteristic(E: float, h: float, k: float) -> float:

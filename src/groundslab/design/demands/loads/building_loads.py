@@ -10,6 +10,8 @@ from groundslab.model.model import Model
 from groundslab.model.structure.building import Base, bases
 from groundslab.results.results import CombinationResult
 
+#: What the names of these cases begin with, as none of a case file can.
+BUILDING = "\0"
 #: Components of what acts on a base, and the part of its results that says how much of each.
 COMPONENTS = ("force", "moment_x", "moment_y")
 #: Chords of arcs of footprints are at most this share of the plate off.
@@ -18,7 +20,7 @@ CHORD = 1e-4
 
 def case_of(name: str, component: str) -> str:
     """Return the case of a unit force or couple on a base, which no case of a file can be called."""
-    return f"\0{component} of {name}"
+    return f"{BUILDING}{component} of {name}"
 
 
 def unit_loads(model: Model) -> dict[str, tuple[tuple[str, AreaPressure], ...]]:

@@ -5,9 +5,10 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Literal, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from groundslab.arrays import Array
+from groundslab.design.rules.calculation import Step, Support
 
 if TYPE_CHECKING:
     from shapely.geometry.base import BaseGeometry
@@ -17,8 +18,6 @@ if TYPE_CHECKING:
 #: Distances of perimeters are multiples of this [m].
 STEP = 0.005
 
-Support = Literal["column", "pile", "zone", "wall end"]
-
 
 @dataclass(frozen=True, slots=True)
 class LinkRow:
@@ -27,6 +26,7 @@ class LinkRow:
     distance: float  # from the face [m]
     area: float  # of all its legs [m2]
     spacing: float  # of its legs along it, at most [m]
+    steps: tuple[Step, ...] = ()  # to that
 
 
 class LinkLimit(NamedTuple):
@@ -38,12 +38,30 @@ class LinkLimit(NamedTuple):
     unit: str
     clause: str
     least: bool = False  # whether the value must not be less
+    steps: tuple[Step, ...] = ()  # to the limit in its unit, where a calculation says more
 
     @property
     def used(self) -> float:
         """Return the value over its limit, or the other way round."""
         over, under = (self.limit, self.value) if self.least else (self.value, self.limit)
         return over / under if under > 0 else math.inf if over > 0 else 0.0
+
+    def follow(self) -> Iterator[Step]:
+        """Yield the steps to the value, its limit and the share used."""
+        yield Step(self.what, "x", self.value, self.unit)
+        yield from self.steps
+        limit = self.steps[-1].symbol if self.steps else "x_lim"
+        if not self.steps:
+            yield Step("the least that is allowed" if self.least else "the most that is allowed", limit, self.limit,
+                       self.unit, clause=self.clause)  # fmt: skip
+        yield Step("share used", "eta", self.used, "", f"{limit} / x" if self.least else f"x / {limit}")
+
+
+def by_depth(d: float, share: float, clause: str, *, least: bool = False) -> tuple[Step, ...]:
+    """Return the steps to a limit of a share of the effective depth d [m]."""
+    words = "the least that is allowed" if least else "the most that is allowed"
+    limit = Step(words, "x_lim", share * d * 1e3, "mm", f"{share:g} * d", clause)
+    return Step("effective depth", "d", d * 1e3, "mm"), limit
 
 
 @dataclass(frozen=True, slots=True)

@@ -16,7 +16,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from groundslab.arrays import Array
-from groundslab.design.rules.punching_links.demand import Arrangement, LinkDemand, LinkLimit, LinkRow, Support
+from groundslab.design.rules.calculation import Support
+from groundslab.design.rules.punching_links.demand import Arrangement, LinkDemand, LinkLimit, LinkRow
 from groundslab.errors import InputError
 from groundslab.messages import Message
 from groundslab.model.design.laid_bars import DENSITY
@@ -193,7 +194,9 @@ def lay_given_links(demand: LinkDemand, laid: PunchingLinks, covers: tuple[float
                 row.area * 1e4, "cm2", demand.clauses, least=True,
             ))  # fmt: skip
         what = Message("distance of legs along the perimeter {distance:.4g m} from the face", distance=row.distance)
-        limits.append(LinkLimit(what, perimeter.spacing * 1e3, row.spacing * 1e3, "mm", demand.clauses))
+        limits.append(
+            LinkLimit(what, perimeter.spacing * 1e3, row.spacing * 1e3, "mm", demand.clauses, steps=row.steps)
+        )
     leg = arrangement.thickness - sum(covers)
     return LinkLayout(*start, laid.diameter, leg, tuple(perimeters), limits=tuple(limits))
 

@@ -112,8 +112,10 @@ def _number(value: float, largest: float) -> str:
 
 
 def _radius(piece: Piece) -> str:
-    """Return the radius of an arc."""
-    return "" if piece.radius is None or np.isnan(piece.radius) else f"{piece.radius:{_PLACE}}"
+    """Return the radius of an arc, nothing of a straight piece, and a word of a curve that has none."""
+    if piece.radius is None:
+        return ""
+    return "curve" if np.isnan(piece.radius) else f"{piece.radius:{_PLACE}}"
 
 
 def _place(at: Callable[[Piece], Array], axis: int) -> Callable[[Piece], str]:

@@ -27,6 +27,7 @@ from groundslab.design.codes.aci318.materials_of_case import materials
 from groundslab.design.demands.by_plate import plate_under
 from groundslab.design.demands.perimeter_loads import PunchingForce
 from groundslab.design.demands.perimeters import Surroundings, perimeter_at, surroundings
+from groundslab.design.rules.calculation import Support
 from groundslab.design.rules.combinations import ultimate_results
 from groundslab.design.rules.punching import Demands, forces_that_punch
 from groundslab.design.rules.punching_links.demand import (
@@ -34,7 +35,7 @@ from groundslab.design.rules.punching_links.demand import (
     LinkDemand,
     LinkLimit,
     LinkRow,
-    Support,
+    by_depth,
     rounded_down,
 )
 from groundslab.messages import Message
@@ -125,7 +126,8 @@ def _rows(steel: Reinforcement, worst: TwoWay, laid: PunchingLinks) -> tuple[Lin
     area = v_s * worst.b_o * links.s / materials(steel)[1].f_yt
     if laid.kind == "studs":
         area = max(area, aci318.least_studs(links.s, worst.b_o, *materials(steel)))
-    return tuple(LinkRow(distance, area, ALONG * worst.d) for distance in laid.distances)
+    steps = by_depth(worst.d, ALONG, "8.7.6.3, 8.7.7.1.2")
+    return tuple(LinkRow(distance, area, ALONG * worst.d, steps) for distance in laid.distances)
 
 
 def _limits(
@@ -141,11 +143,16 @@ def _limits(
     clause = "8.7.7.1.2" if studs else "8.7.6.3"
     wide = studs and worst.v_u <= PHI_SHEAR * LIGHTLY_STRESSED * concrete.root
     first, apart = "distance of the inner perimeter from the face", "distance of perimeters"
-    yield LinkLimit(first, laid.distances[0] * 1e3, APART * d * 1e3, "mm", clause)
+    yield LinkLimit(first, laid.distances[0] * 1e3, APART * d * 1e3, "mm", clause, steps=by_depth(d, APART, clause))
     if laid.apart is not None:
-        yield LinkLimit(apart, laid.apart * 1e3, (APART_STUDS if wide else APART) * d * 1e3, "mm", clause)
+        most_apart = APART_STUDS if wide else APART
+        steps = by_depth(d, most_apart, clause)
+        yield LinkLimit(apart, laid.apart * 1e3, most_apart * d * 1e3, "mm", clause, steps=steps)
     if not studs:
-        yield LinkLimit("diameter of links", laid.diameter * 1e3, d / LEAST_SLENDER * 1e3, "mm", "22.6.7.1")
+        steps = by_depth(d, 1 / LEAST_SLENDER, "22.6.7.1")
+        yield LinkLimit(
+            "diameter of links", laid.diameter * 1e3, d / LEAST_SLENDER * 1e3, "mm", "22.6.7.1", steps=steps
+        )
     beyond = [
         v_u
         for way in punching.ways

@@ -40,12 +40,15 @@ def links(steel: Reinforcement, demand: ShearDemand) -> float:
     return shear.links(demand.v, demand.d, *materials(steel))
 
 
-def link_distance(steel: Reinforcement, demand: ShearDemand) -> float:
+def link_distance(steel: Reinforcement, demand: ShearDemand) -> Step:
     """Return how far legs of links may be from each other along the force [m], Table 9.7.6.2.2."""
     concrete, _ = materials(steel)
     of_links = demand.v / PHI_SHEAR - shear.WITH_LINKS * concrete.root * demand.d
-    half = 0.5 if of_links > SHARP * concrete.root * demand.d else 1.0
-    return half * min(demand.d / 2, FARTHEST)
+    half, formula = 1.0, f"min(d / 2, {FARTHEST:g})"
+    if of_links > SHARP * concrete.root * demand.d:
+        half, formula = 0.5, f"0.5 * {formula}"
+    clause = "Table 9.7.6.2.2"
+    return Step("largest distance of legs", "s_max", half * min(demand.d / 2, FARTHEST), "m", formula, clause)
 
 
 def steps(steel: Reinforcement, demand: ShearDemand) -> Iterator[Step]:

@@ -10,10 +10,10 @@ from groundslab.design.codes.aci318.checks.laid_links import strength_as_laid, u
 from groundslab.design.codes.aci318.checks.two_way_demand import TwoWay, strength
 from groundslab.design.codes.aci318.materials import PHI_SHEAR
 from groundslab.design.codes.aci318.materials_of_case import materials
+from groundslab.design.rules.calculation import Support
 from groundslab.design.rules.check import DesignCheck, Status
 from groundslab.design.rules.demand_errors import error_of_ratio, scaled
 from groundslab.design.rules.punching import Aspect, Demands
-from groundslab.design.rules.punching_links.demand import Support
 from groundslab.messages import Clause, Message, Name
 from groundslab.model.design.reinforcement import Reinforcement
 

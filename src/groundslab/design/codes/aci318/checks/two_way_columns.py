@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from groundslab.design.codes.aci318.checks.two_way_demand import TwoWay, strength, used
+from groundslab.design.rules.calculation import Support
 from groundslab.design.rules.punching import INSIDE, RELIEF, Heads, cells_inside, effective_note
-from groundslab.design.rules.punching_links.demand import Support
 from groundslab.messages import Message
 from groundslab.model.design.reinforcement import Reinforcement
 

@@ -20,6 +20,7 @@ from groundslab.design.rules.calculation import (
     BY_CHORDS,
     MEGA,
     Step,
+    Support,
     axis_step,
     counted_length,
     depth_steps,
@@ -31,7 +32,6 @@ from groundslab.design.rules.calculation import (
     thinner_steps,
     width_steps,
 )
-from groundslab.design.rules.punching_links.demand import Support
 from groundslab.messages import Message
 from groundslab.model.design.reinforcement import Reinforcement
 

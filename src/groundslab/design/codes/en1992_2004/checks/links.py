@@ -14,7 +14,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from itertools import chain
 from typing import TYPE_CHECKING
@@ -32,6 +32,7 @@ from groundslab.design.codes.en1992_2004.checks.punching import (
 )
 from groundslab.design.codes.en1992_2004.checks.punching_demand import (
     FARTHEST,
+    LAST_LINKS,
     REACH,
     TOO_FAR,
     Demand,
@@ -39,6 +40,7 @@ from groundslab.design.codes.en1992_2004.checks.punching_demand import (
     outer,
 )
 from groundslab.design.codes.en1992_2004.checks.wall_ends import at_ends
+from groundslab.design.codes.en1992_2004.materials import Concrete, Steel
 from groundslab.design.codes.en1992_2004.materials_of_case import materials
 from groundslab.design.codes.en1992_2004.perimeters import openings
 from groundslab.design.demands.by_plate import plate_under
@@ -57,14 +59,16 @@ from groundslab.design.demands.perimeters import (
     surroundings,
 )
 from groundslab.design.demands.wall_perimeters import LoadedArea, course
+from groundslab.design.rules.calculation import MEGA, Step, Support
 from groundslab.design.rules.combinations import ultimate_results
 from groundslab.design.rules.punching import Demands, forces_that_punch
 from groundslab.design.rules.punching_links.demand import (
+    STEP,
     Arrangement,
     LinkDemand,
     LinkLimit,
     LinkRow,
-    Support,
+    by_depth,
     rounded_down,
     rounded_up,
 )
@@ -268,8 +272,24 @@ def _rows(
     for number, distance in enumerate(distances):
         along = (ALONG if distance <= REACH * d else ALONG_BEYOND) * d
         area = alone * (0.5 if number < LEAST_ROWS else annex.link_rows[2]) if annex.links_alone else shared
-        rows.append(LinkRow(distance, area, min(along, widest)))
+        steps = _along(d, along / d, (diameter, float(s_r)), concrete, bars)
+        rows.append(LinkRow(distance, area, min(along, widest), tuple(steps)))
     return tuple(rows)
+
+
+def _along(d: float, share: float, legs: tuple[float, float], concrete: Concrete, bars: Steel) -> Iterator[Step]:
+    """Yield how far legs of a diameter are from each other at most along perimeters s_r apart [m], by d and by 9.11."""
+    diameter, s_r = legs
+    yield Step("effective depth", "d", d * 1e3, "mm")
+    yield Step("diameter of links", "phi_w", diameter * 1e3, "mm")
+    yield Step("distance of perimeters, the largest", "s_r", s_r * 1e3, "mm")
+    yield Step("strength of the concrete", "f_ck", concrete.f_ck / MEGA, "MPa")
+    yield Step("yield strength", "f_yk", bars.f_yk / MEGA, "MPa")
+    widest = en1992.widest_legs(math.pi * diameter**2 / 4, s_r, concrete, bars)
+    formula = f"1.5 * pi / 4 * phi_w^2 * f_yk / ({en1992.LEAST_LEG:g} * sqrt(f_ck) * s_r)"
+    yield Step("distance at which legs are the least links", "s_l", widest * 1e3, "mm", formula, "9.11")
+    most = min(share * d, widest) * 1e3
+    yield Step("the most that is allowed", "x_lim", most, "mm", f"min({share:g} * d, s_l)", "9.4.3(1), 9.4.3(2)")
 
 
 def _limits(steel: Reinforcement, required: _Required, d: float, laid: PunchingLinks) -> Iterator[LinkLimit]:
@@ -278,13 +298,34 @@ def _limits(steel: Reinforcement, required: _Required, d: float, laid: PunchingL
     first, most_apart, _ = annex.link_rows
     from_face = "distance of the inner perimeter from the face"
     farthest = max(first * d, rounded_up(FIRST * d))
-    yield LinkLimit(from_face, laid.distances[0] * 1e3, farthest * 1e3, "mm", "9.4.3(4)")
-    yield LinkLimit(from_face, laid.distances[0] * 1e3, FIRST * d * 1e3, "mm", "Figure 9.10", least=True)
+    yield LinkLimit(from_face, laid.distances[0] * 1e3, farthest * 1e3, "mm", "9.4.3(4)", steps=_first(d, first))
+    yield LinkLimit(from_face, laid.distances[0] * 1e3, FIRST * d * 1e3, "mm", "Figure 9.10", least=True,
+                    steps=by_depth(d, FIRST, "Figure 9.10", least=True))  # fmt: skip
     if laid.apart is not None:
-        yield LinkLimit("distance of perimeters", laid.apart * 1e3, most_apart * d * 1e3, "mm", "9.4.3(1)")
+        yield LinkLimit("distance of perimeters", laid.apart * 1e3, most_apart * d * 1e3, "mm", "9.4.3(1)",
+                        steps=by_depth(d, most_apart, "9.4.3(1)"))  # fmt: skip
     yield LinkLimit("number of perimeters", len(laid.distances), LEAST_ROWS, "", "9.4.3(1)", least=True)
     if required.last > 0:
         reach = "distance of the outer perimeter from the face"
-        yield LinkLimit(reach, laid.distances[-1] * 1e3, required.last * 1e3, "mm", "6.4.5(4)", least=True)
+        yield LinkLimit(reach, laid.distances[-1] * 1e3, required.last * 1e3, "mm", "6.4.5(4)", least=True,
+                        steps=_reach(d, required.last))  # fmt: skip
     if math.isfinite(annex.thickest_link):
-        yield LinkLimit("diameter of links", laid.diameter * 1e3, annex.thickest_link * d * 1e3, "mm", "annex")
+        yield LinkLimit("diameter of links", laid.diameter * 1e3, annex.thickest_link * d * 1e3, "mm", "annex",
+                        steps=by_depth(d, annex.thickest_link, "annex"))  # fmt: skip
+
+
+def _first(d: float, share: float) -> tuple[Step, ...]:
+    """Return the steps to the largest distance of the inner perimeter from the face: a share of d, rounded up 0.3 d."""
+    step = STEP * 1e3
+    formula = f"max({share:g} * d, ceil({FIRST:g} * d / {step:g} - 0.000001) * {step:g})"
+    most = max(share * d, rounded_up(FIRST * d)) * 1e3
+    depth, limit = by_depth(d, share, "9.4.3(4)")
+    return depth, replace(limit, value=most, formula=formula)
+
+
+def _reach(d: float, last: float) -> tuple[Step, ...]:
+    """Return the steps to the least distance of the outer perimeter from the face, last [m]."""
+    out = Step("distance of the perimeter on which no links are needed", "a_out", (last + LAST_LINKS * d) * 1e3, "mm",
+               clause="6.4.5(4), 6.54")  # fmt: skip
+    limit = Step("the least that is allowed", "x_lim", last * 1e3, "mm", f"a_out - {LAST_LINKS:g} * d", "6.4.5(4)")
+    return Step("effective depth", "d", d * 1e3, "mm"), out, limit

@@ -39,14 +39,16 @@ def links(steel: Reinforcement, demand: ShearDemand) -> float:
     return max(float(needed.area[0]), shear.minimum_links(concrete, bars))
 
 
-def link_distance(steel: Reinforcement, demand: ShearDemand) -> float:
+def link_distance(steel: Reinforcement, demand: ShearDemand) -> Step:
     """Return how far legs of vertical links may be from each other along the force [m], 9.3.2(4)."""
     concrete, _ = materials(steel, demand.results.limit_state)
     z = float(shear.lever(concrete, np.array([demand.d]), largest_cover(steel))[0])
     annex, used = concrete.annex, 2 * demand.v / (z * concrete.strut)
-    depth = demand.thickness if annex.link_distances_by_height else demand.d
+    symbol, depth = ("h", demand.thickness) if annex.link_distances_by_height else ("d", demand.d)
     rows = annex.slab_link_distances
-    return next((times * depth for up_to, times in rows if used <= up_to), rows[-1][1] * depth)
+    times = next((times for up_to, times in rows if used <= up_to), rows[-1][1])
+    words = "largest distance of legs" if len(rows) == 1 else "largest distance of legs, by the share used"
+    return Step(words, "s_max", times * depth, "m", f"{times:g} * {symbol}", "9.3.2(4)")
 
 
 def steps(steel: Reinforcement, demand: ShearDemand) -> Iterator[Step]:

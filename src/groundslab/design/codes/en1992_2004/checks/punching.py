@@ -21,12 +21,12 @@ from groundslab.design.codes.en1992_2004.checks.punching_demand import (
 )
 from groundslab.design.codes.en1992_2004.materials_of_case import materials
 from groundslab.design.codes.en1992_2004.punching_remedies import in_words, least_change, ratio_for_links
+from groundslab.design.rules.calculation import Support
 from groundslab.design.rules.check import DesignCheck, Status
 from groundslab.design.rules.demand_errors import error_of_ratio, scaled
 from groundslab.design.rules.design_code import TensionBars
 from groundslab.design.rules.punching import CALLED, Aspect, Demands
 from groundslab.design.rules.punching_beta import WAYS
-from groundslab.design.rules.punching_links.demand import Support
 from groundslab.messages import Clause, Message, Name, joined
 from groundslab.model.design.laid_bars import BESIDE
 from groundslab.model.design.reinforcement import Reinforcement

@@ -6,8 +6,8 @@ from groundslab.design.codes.en1992_2004.checks.punching_demand import Demand
 from groundslab.design.codes.en1992_2004.checks.wall_ends import STEPS
 from groundslab.design.codes.en1992_2004.materials_of_case import materials
 from groundslab.design.codes.en1992_2004.punching import max_resistance
+from groundslab.design.rules.calculation import Support
 from groundslab.design.rules.punching import INSIDE, RELIEF, Heads, cells_inside, effective_note
-from groundslab.design.rules.punching_links.demand import Support
 from groundslab.messages import Message
 from groundslab.model.design.reinforcement import Reinforcement
 

@@ -9,6 +9,8 @@ import math
 import re
 from collections.abc import Iterator
 
+import numpy as np
+
 from groundslab.design.codes.en1992_2004 import punching as en1992
 from groundslab.design.codes.en1992_2004.annex import Annex
 from groundslab.design.codes.en1992_2004.checks.punching import (
@@ -36,6 +38,7 @@ from groundslab.design.rules.calculation import (
     MEGA,
     SAME,
     Step,
+    Support,
     axis_step,
     depth_steps,
     from_below,
@@ -47,7 +50,6 @@ from groundslab.design.rules.calculation import (
     width_steps,
 )
 from groundslab.design.rules.punching_beta import beta_in_steps, other_betas_in_steps
-from groundslab.design.rules.punching_links.demand import Support
 from groundslab.messages import Message, Name
 from groundslab.model.design.reinforcement import Reinforcement
 
@@ -127,10 +129,7 @@ def _length(control: ControlPerimeter, *, along_axes: bool) -> Iterator[Step]:
     ]
     yield from thinner_steps(control.sketch.parts, _of_thinner, "6.4.4(2), 6.4.2(8)", away=True)
     symbol = "u_w" if less else "u"
-    widths, names = control.widths, ("c_1", "c_2")
-    if len(control.sides) == 2 and at_corner:
-        widths, names = (control.sides[0], control.sides[1]), ("w_1", "w_2")
-    formula = length_by_figures(widths, line.setbacks, ("a", control.distance), whole, symbols=names)
+    formula = _by_figures(control, "a", whole)
     yield Step("length of the perimeter on the slab", symbol, whole, "m", formula, "6.4.2")
     for words, name, length in less:
         yield Step(words, name, length, "m", clause="6.4.2(3)" if name == "u_o" else "6.4.4(2)")
@@ -381,10 +380,10 @@ def _with_links(demand: Demand, stress: Stress, concrete: Concrete, bars: Steel)
         A_sw = en1992.links_per_perimeter(stress.v_Ed, demand.resistance(stress), stress.u, demand.d, count, bars.f_yd)
         formula = en1992.FORMULAS["A_sw"]
         yield Step("vertical links on each perimeter", "A_sw", A_sw * 1e4, "cm2", formula, "6.4.5(1), 6.52")
-    yield from _reach(demand, concrete.annex)
+    yield from _reach(demand, concrete.annex, stress.control)
 
 
-def _reach(demand: Demand, annex: Annex) -> Iterator[Step]:
+def _reach(demand: Demand, annex: Annex, governing_one: ControlPerimeter | None) -> Iterator[Step]:
     """Yield the outer perimeter and the perimeters of links inside it."""
     beyond, d = outer(demand), demand.d
     if beyond.last is None:
@@ -392,7 +391,7 @@ def _reach(demand: Demand, annex: Annex) -> Iterator[Step]:
         yield Step(words, "a_out", beyond.distance, "m", clause="6.4.5(4)")
         yield Step("its length", "u_out", beyond.u, "m", clause="6.4.5(4)")
     else:
-        yield from _beyond(beyond, beyond.last)
+        yield from _beyond(beyond, beyond.last, governing_one)
     last = beyond.last_links(d)
     words = "distance of the outermost links from the face, at least"
     yield Step(words, "a_L", last, "m", f"a_out - {LAST_LINKS:g} * d", "6.4.5(4)")
@@ -405,20 +404,57 @@ def _reach(demand: Demand, annex: Annex) -> Iterator[Step]:
     yield Step("perimeters of links, at least", "n_L", float(count), "", formula, "9.4.3(1)")
 
 
-def _beyond(beyond: Outer, last: Stress) -> Iterator[Step]:
+def _beyond(beyond: Outer, last: Stress, governing_one: ControlPerimeter | None) -> Iterator[Step]:
     """Yield the outer perimeter beyond the outermost one that is followed."""
     yield Step("distance of the outermost perimeter that is followed", "a_l", last.distance, "m", clause="6.4.4(2)")
-    yield Step("its length, less edges and openings", "u_l", last.u, "m", clause="6.4.2")
+    yield from _length_beyond(last, "l", governing_one)
     yield Step("stress on it", "v_l", last.v_Ed / MEGA, "MPa", clause="6.4.3(3), 6.38")
     formula = en1992.FORMULAS["u_out"]
     yield Step("length of the perimeter beyond which no links are needed", "u_out", beyond.u, "m", formula, "6.54")
     formula, inner = "2 * pi", beyond.inner
     if inner is not None:
         yield Step("distance of the perimeter inside it", "a_i", inner.distance, "m", clause="6.4.4(2)")
-        yield Step("its length, less edges and openings", "u_i", inner.u, "m", clause="6.4.2")
+        yield from _length_beyond(inner, "i", governing_one)
         formula = f"max((u_l - u_i) / (a_l - a_i), {LEAST_GROWTH:g})"
     yield Step("how much longer perimeters are by their distance", "g", beyond.grows, "", formula)
     yield Step("its distance", "a_out", beyond.distance, "m", "a_l + max(u_out - u_l, 0) / g", "6.4.5(4)")
+
+
+def _length_beyond(stress: Stress, end: str, governing_one: ControlPerimeter | None) -> Iterator[Step]:
+    """Yield the length of a perimeter beyond the governing one, by its extents and setbacks if both have the same.
+
+    `end` is what ends the symbols of its distance a, its length u, and of what openings and thinner slab take off.
+    """
+    control, words, u = stress.control, "its length, less edges and openings", f"u_{end}"
+    if control is None:
+        yield Step(words, u, stress.u, "m", clause="6.4.2")
+        return
+    whole = total_length(control.sketch.line.whole)
+    less = whole - stress.u > BY_CHORDS * whole
+    alike = governing_one is not None and _runs_alike(control, governing_one)
+    formula, symbol = _by_figures(control, f"a_{end}", whole) if alike else "", f"u_w,{end}" if less else u
+    yield Step("its length on the slab" if less else words, symbol, whole if less else stress.u, "m", formula, "6.4.2")
+    if less:
+        yield Step("what openings and thinner slab take off it", f"u_o,{end}", whole - stress.u, "m", clause="6.4.2(3)")
+        yield Step(words, u, stress.u, "m", f"u_w,{end} - u_o,{end}", "6.4.2")
+
+
+def _runs_alike(one: ControlPerimeter, other: ControlPerimeter) -> bool:
+    """Return whether two perimeters run out to the same edges, and have the same extents along their axes."""
+    first, second = one.sketch.line.setbacks, other.sketch.line.setbacks
+    return (
+        one.course.shape == other.course.shape
+        and len(first) == len(second)
+        and np.allclose((*first, *one.widths), (*second, *other.widths), rtol=SAME)
+    )
+
+
+def _by_figures(control: ControlPerimeter, a: str, whole: float) -> str:
+    """Return the formula of a perimeter's length [m] on the slab, if one has it."""
+    widths, names = control.widths, ("c_1", "c_2")
+    if len(control.sides) == 2 and control.course.shape == "corner":
+        widths, names = (control.sides[0], control.sides[1]), ("w_1", "w_2")
+    return length_by_figures(widths, control.sketch.line.setbacks, (a, control.distance), whole, symbols=names)
 
 
 def _face(

@@ -10,11 +10,12 @@ from typing import NamedTuple
 from groundslab.design.codes.en1992_2023 import punching as en1992
 from groundslab.design.codes.en1992_2023.checks.punching_demand import Punching
 from groundslab.design.codes.en1992_2023.materials_of_case import materials
+from groundslab.design.rules.calculation import Support
 from groundslab.design.rules.check import DesignCheck, Status, severity
 from groundslab.design.rules.demand_errors import error_of_ratio, scaled
 from groundslab.design.rules.punching import PUNCHING, Aspect, Demands
 from groundslab.design.rules.punching_beta import WAYS
-from groundslab.design.rules.punching_links.demand import LinkDemand, Support
+from groundslab.design.rules.punching_links.demand import LinkDemand
 from groundslab.messages import Message, Name
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.results import Results

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from groundslab.design.codes.en1992_2023.checks.punching_demand import Punching
 from groundslab.design.codes.en1992_2023.checks.remarks import SECOND_HAND
+from groundslab.design.rules.calculation import Support
 from groundslab.design.rules.punching import INSIDE, RELIEF, Heads, cells_inside
-from groundslab.design.rules.punching_links.demand import Support
 from groundslab.messages import Message
 from groundslab.model.design.reinforcement import Reinforcement
 

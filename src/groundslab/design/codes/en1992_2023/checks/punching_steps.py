@@ -20,6 +20,7 @@ from groundslab.design.rules.calculation import (
     BY_CHORDS,
     MEGA,
     Step,
+    Support,
     axis_step,
     counted_length,
     depth_steps,
@@ -33,7 +34,6 @@ from groundslab.design.rules.calculation import (
     width_steps,
 )
 from groundslab.design.rules.punching_beta import beta_in_steps, other_betas_in_steps
-from groundslab.design.rules.punching_links.demand import Support
 from groundslab.design.rules.wall_ends import WallSite
 from groundslab.messages import Message, Name
 from groundslab.model.design.reinforcement import Reinforcement
