@@ -11,7 +11,7 @@ import numpy as np
 
 from groundslab.geometry.plan import FLAT
 from groundslab.model.design.beam_links import BeamLinks
-from groundslab.model.design.laid_bars import axis_of, covers_of, laid_bars, polygon_of
+from groundslab.model.design.laid_bars import DENSITY, axis_of, covers_of, laid_bars, polygon_of
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.model.model import Model
 from groundslab.model.plates.region import get_plate_region
@@ -20,9 +20,6 @@ from groundslab.model.structure.beams import GivenSection, RibSection
 if TYPE_CHECKING:
     from shapely import LineString, Point
     from shapely.geometry.base import BaseGeometry
-
-#: Mass of steel [kg/m3] (EN 1992-1-1 3.2.7(3)).
-STEEL = 7850.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,7 +45,7 @@ class LaidLinks:
     @property
     def mass(self) -> float:
         """Return what they weigh [kg]."""
-        return STEEL * math.pi * self.diameter**2 / 4 * self.total
+        return DENSITY * math.pi * self.diameter**2 / 4 * self.total
 
 
 def further_links(model: Model) -> Iterator[LaidLinks]:

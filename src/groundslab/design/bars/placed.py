@@ -22,8 +22,7 @@ from groundslab.design.bars.positions import (
     STRAIGHT,
     U_SHAPE,
     Position,
-    at_edge,
-    cut,
+    cut_bars,
     edge_thickness,
     inside_of,
     positions,
@@ -84,22 +83,15 @@ def _straight(
     ]
     alike = [bar for position in of_set for bar in bent[position.mark]]
     axis, off = bar_set.axis, axis_of(steel, bar_set.layer)
-    detailing, lap = steel.detailing, next((position.lap for position in of_set if position.lap is not None), 0.0)
-    ends = bar_set.ends.copy()
-    if detailing is not None:
-        cover = off - bar_set.bars.diameter / 2
-        ends[:, :, axis] += cover * at_edge(model, bar_set.ends) * [1.0, -1.0]
     slabs = list(_slabs(model))
-    for bar in ends[ends[:, 1, axis] > ends[:, 0, axis]]:
-        length = float(bar[1, axis] - bar[0, axis])
-        count, piece_length = (1, length) if detailing is None else cut(length, detailing.bar_length, lap)
-        cut_bar = min(alike, key=lambda bent_bar: abs(bent_bar.length - piece_length))
-        height = _height(slabs, bar, bar_set.layer, off)
-        for number in range(count):
-            corners = np.column_stack([bar, [height, height]])
-            corners[:, axis] = bar[0, axis] + number * (piece_length - lap) + np.array([0.0, piece_length])
+    for bar in cut_bars(model, steel, bar_set):
+        length = bar.length
+        bent_bar = min(alike, key=lambda each: abs(each.length - length))
+        height = _height(slabs, bar.ends, bar_set.layer, off)
+        for number, piece in enumerate(bar.pieces(axis)):
+            corners = np.column_stack([piece, [height, height]])
             corners[:, 1 - axis] += number % 2 * bar_set.bars.diameter
-            yield PlacedBar(cut_bar, corners)
+            yield PlacedBar(bent_bar, corners)
 
 
 def _slabs(model: Model) -> Iterator[tuple[BaseGeometry, float, float]]:

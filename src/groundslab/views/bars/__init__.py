@@ -54,8 +54,8 @@ def write_bars(of: Model | Results | CombinationResult, path: str | Path, *, pap
         File to write: .dxf (in meters, on the layers OUTLINE, OPENINGS, COLUMNS, BAR_ZONES, BARS_BOTTOM_X, and so on,
         BARS_EDGES, LINKS, LABELS and TABLE), .svg, .pdf or .png; .csv or .xlsx for the bending schedule; .abs for
         records of BVBS, which machines that bend bars read; .ifc for a building model of the bars one by one. None of
-        these has welded meshes, and the building model no links but those against punching. An existing file is
-        replaced only if groundslab wrote it, or if it has records of BVBS alone.
+        these has welded meshes, and the building model no links but those against punching: `left_out_of_bars` says
+        so. An existing file is replaced only if groundslab wrote it, or if it has records of BVBS alone.
     paper : str, optional
         "a1", "a2" or "a3": draw sheets, into a file that ends with .pdf or .dxf.
 
@@ -116,6 +116,31 @@ def _write_list(model: Model, links: Sequence[LinkLayout], path: str | Path, tar
         raise InputError([Issue("reinforcement", "no bars that are bent, studs alone", "bars, which are cut and bent")])
     export.write_file(path, target, content)
     return Path(path)
+
+
+def left_out_of_bars(of: Model | Results | CombinationResult, path: str | Path) -> tuple[str, ...]:
+    """Return what a file of bars does not hold, or in another way than the case does, as the command says it.
+
+    Parameters
+    ----------
+    of : Model, Results or CombinationResult
+        What is given to `write_bars`.
+    path : str or pathlib.Path
+        The file that it writes; what it holds follows from what its name ends with. It is not read.
+
+    Returns
+    -------
+    tuple of str
+        Of drawings nothing: what they lack is written on them.
+
+    Examples
+    --------
+    >>> import groundslab
+    >>> model = groundslab.load("case.toml")
+    >>> for words in groundslab.left_out_of_bars(model, groundslab.write_bars(model, "bars.csv")):
+    ...     print(words)
+    """
+    return tuple(left_out(of, path))
 
 
 def left_out(of: Model | Results | CombinationResult, path: str | Path) -> list[str]:

@@ -140,7 +140,7 @@ def test_pieces_that_lap_are_drawn_and_said() -> None:
     lines = [line for line in of_layer(sheet, "BARS_BOTTOM_X") if np.ptp(line.points[:, 1]) < 1e-9]
     ends = np.array([line.points[:, 0] for line in lines])
     assert len({round(float(line.points[0, 1]), 6) for line in lines}) == 2
-    assert np.ptp(ends) == pytest.approx(9.6 * sheet.per_meter)
+    assert np.ptp(ends) == pytest.approx(9.52 * sheet.per_meter)
     assert base.lap is not None
     assert f"lap {base.lap:.2f} m" in [text.words for text in texts_of(sheet)]
 

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from groundslab.arrays import Array
 from groundslab.design.bars.bar_layout import BarSet
-from groundslab.design.bars.positions import Position, cut
+from groundslab.design.bars.positions import CutBar, Position, cut_bars
 from groundslab.languages import Translator
 from groundslab.messages import Message, Name
 from groundslab.model.model import Model
@@ -49,7 +50,7 @@ def draw_bars(
         first, last = of_set[0].mark, of_set[-1].mark
         marks = f"{first}" if first == last else f"{first}\N{EN DASH}{last}"
         labels = labels_of(f"BARS_{bar_set.layer.upper()}", marks, list(map(say, above)), list(map(say, below)))
-        sheet.shapes.extend(taken.place(list(_candidates(model, sheet, bar_set, of_set, labels))))
+        sheet.shapes.extend(taken.place(list(_candidates(model, sheet, bar_set, labels))))
 
 
 def _zone(region: BaseGeometry) -> Iterator[Line]:
@@ -76,16 +77,18 @@ def _words(bar_set: BarSet, of_set: Sequence[Position], units: System, say: Tran
     return [Name(f"{mesh}{count} {bars_at(bar_set.bars.diameter, bar_set.bars.spacing, units)}")], below
 
 
-def _candidates(
-    model: Model, sheet: Sheet, bar_set: BarSet, of_set: Sequence[Position], labels: tuple[Label, Label]
-) -> Iterator[Candidate]:
+def _candidates(model: Model, sheet: Sheet, bar_set: BarSet, labels: tuple[Label, Label]) -> Iterator[Candidate]:
     """Yield where a set may be drawn: each bar that may stand for it, with its label and the line across anywhere."""
+    assert model.reinforcement is not None
     axis, layer = bar_set.axis, f"BARS_{bar_set.layer.upper()}"
+    bars_cut = cut_bars(model, model.reinforcement, bar_set)
+    laid = replace(bar_set, ends=np.array([bar.ends for bar in bars_cut]))
     for n, part in enumerate(BARS):
-        bar = shown_bar(bar_set, part)
+        cut_bar = bars_cut[shown_bar(laid, part)]
+        bar = cut_bar.ends
         ends = bar * sheet.per_meter + sheet.origin
-        pieces = _pieces(model, layer, ends, axis, of_set, sheet.per_meter)
-        across = [line_across(bar_set, bar[0] + share * (bar[1] - bar[0])) for share in ACROSS]
+        pieces = _pieces(layer, cut_bar, axis, sheet)
+        across = [line_across(laid, bar[0] + share * (bar[1] - bar[0])) for share in ACROSS]
         lines = [line * sheet.per_meter + sheet.origin for line in across]
         for k, (shown, start) in enumerate(_starts(float(ends[0, axis]), float(ends[1, axis]), labels)):
             put, box = put_label(shown, axis, start, float(ends[0, 1 - axis]))
@@ -136,23 +139,13 @@ def _leader(ends: Array, axis: int, low: float, high: float) -> tuple[Line, ...]
     return ()
 
 
-def _pieces(
-    model: Model, layer: str, ends: Array, axis: int, of_set: Sequence[Position], per_meter: float
-) -> tuple[Line, ...]:
-    """Return a bar between its ends on paper; pieces that lap lie beside each other there."""
-    steel, lap = model.reinforcement, of_set[0].lap
-    length = float(ends[1, axis] - ends[0, axis]) / per_meter
-    if steel is None or steel.detailing is None or lap is None or length <= steel.detailing.bar_length:
-        return (Line(layer, ends),)
-    count, piece_length = cut(length, steel.detailing.bar_length, lap)
-    pieces = []
-    for number in range(count):
-        points = np.tile(ends[0], (2, 1))
-        start = number * (piece_length - lap)
-        points[:, axis] += np.array([start, start + piece_length]) * per_meter
-        points[:, 1 - axis] += APART if number % 2 else -APART
-        pieces.append(Line(layer, points))
-    return tuple(pieces)
+def _pieces(layer: str, bar: CutBar, axis: int, sheet: Sheet) -> tuple[Line, ...]:
+    """Return the pieces of a bar on paper, those that lap beside each other."""
+    pieces = bar.pieces(axis) * sheet.per_meter + sheet.origin
+    if bar.count > 1:
+        pieces[::2, :, 1 - axis] -= APART
+        pieces[1::2, :, 1 - axis] += APART
+    return tuple(Line(layer, piece) for piece in pieces)
 
 
 def _extent(layer: str, line: Array, bar: Array, axis: int) -> Iterator[Shape]:
