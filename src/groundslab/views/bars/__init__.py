@@ -54,7 +54,7 @@ def write_bars(of: Model | Results | CombinationResult, path: str | Path, *, pap
         File to write: .dxf (in meters, on the layers OUTLINE, OPENINGS, COLUMNS, BAR_ZONES, BARS_BOTTOM_X, and so on,
         BARS_EDGES, LINKS, LABELS and TABLE), .svg, .pdf or .png; .csv or .xlsx for the bending schedule; .abs for
         records of BVBS, which machines that bend bars read; .ifc for a building model of the bars one by one. None of
-        these has welded meshes, and the building model no links but those against punching: `left_out_of_bars` says
+        these has welded meshes, and the building model no links against one-way shear: `left_out_of_bars` says
         so. An existing file is replaced only if groundslab wrote it, or if it has records of BVBS alone.
     paper : str, optional
         "a1", "a2" or "a3": draw sheets, into a file that ends with .pdf or .dxf.
@@ -160,8 +160,8 @@ def left_out(of: Model | Results | CombinationResult, path: str | Path) -> list[
         left.append("welded meshes are not in it: how they are cut into sheets is not known here")
     if ending == RECORDS and any(links.kind == "studs" for links in steel.links):
         left.append("studs are not in it: they are not bent")
-    if ending == BUILDING and (steel.beam_links or steel.shear_links):
-        left.append("links of beams and against one-way shear are not in it: they do not stand one by one here")
+    if ending == BUILDING and steel.shear_links:
+        left.append("links against one-way shear are not in it: they do not stand one by one here")
     if isinstance(of, CombinationResult):
         left.append("links against punching are not in it: they follow from all combinations")
     return left

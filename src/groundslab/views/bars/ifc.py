@@ -124,7 +124,7 @@ class _Writer:
             NominalDiameter=bar.diameter,
             CrossSectionArea=math.pi * bar.diameter**2 / 4,
             BarLength=bar.length,
-            PredefinedType=ROLES.get(bar.shape, "MAIN"),
+            PredefinedType="LIGATURE" if placed.of_beam else ROLES.get(bar.shape, "MAIN"),
             BarSurface="TEXTURED",
         )
 

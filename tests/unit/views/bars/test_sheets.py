@@ -22,7 +22,7 @@ from groundslab.views.drawing.sheets.draw import LAYERS, TITLES, draw_sheets
 from groundslab.views.drawing.sheets.paper import PAPERS, Margins, Sheet, choose_scale
 from groundslab.views.drawing.sheets.placing import box_of
 from groundslab.views.files import results_folder
-from helpers import synthetic
+from helpers import linked_slab, synthetic
 from helpers.laid_slab import model_of
 
 COLUMNS = [{"name": name, "x": x, "y": y, "width_x": 0.4, "width_y": 0.4} for name, x, y in (
@@ -143,6 +143,27 @@ def test_pieces_that_lap_are_drawn_and_said() -> None:
     assert np.ptp(ends) == pytest.approx(9.52 * sheet.per_meter)
     assert base.lap is not None
     assert f"lap {base.lap:.2f} m" in [text.words for text in texts_of(sheet)]
+
+
+def test_wires_of_meshes_are_listed() -> None:
+    """Q335A on both faces: 7.2 m / 150 mm wires of 9.6 m along x, 9.6 m / 150 mm of 7.2 m along y, of 8 mm."""
+    meshes: dict[str, Any] = dict.fromkeys(("bottom_x", "bottom_y", "top_x", "top_y"))
+    of = slab(zones=[], detailing=None, **meshes, bottom_mesh="Q335A", top_mesh="Q335A")
+    sheets = draw_sheets(of, (), "a2")
+    assert len(sheets) == 4
+    for sheet, number, length in zip(sheets, (48, 64, 48, 64), (9.6, 7.2, 9.6, 7.2), strict=True):
+        row = [text.words for text in texts_of(sheet) if text.layer == "TABLE"][6:12]
+        mass = number * length * np.pi * 0.008**2 / 4 * 7850
+        assert row[1:] == ["8", f"{number}", f"{length:.3f}", f"{number * length:.3f}", f"{mass:.1f}"]
+
+
+def test_links_of_beams_have_the_line_along_which_they_stand() -> None:
+    """A strip of 8 m has 41 links over 8 m; of the rib those from 1 m to 3 m of its way lie over 2 m of it."""
+    sheet = draw_sheets(linked_slab.model(**linked_slab.LINKS), (), "a3")[-1]
+    lines = [(line.points - sheet.origin) / sheet.per_meter for line in of_layer(sheet, "LINKS") if not line.closed]
+    flat = [line[:, 0].tolist() for line in lines if np.ptp(line[:, 1]) < 1e-9 and np.ptp(line[:, 0]) > 1.0]
+    assert flat == [pytest.approx([-4.0, 4.0]), pytest.approx([-3.0, -1.0])]
+    assert {"over 8.00 m", "over 2.00 m"} <= {text.words for text in texts_of(sheet)}
 
 
 def test_chains_of_dimensions() -> None:

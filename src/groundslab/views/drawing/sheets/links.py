@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
+from groundslab.arrays import Array
 from groundslab.design.bars.bending import marked_further_links, marked_links
 from groundslab.design.bars.further_links import LaidLinks
 from groundslab.design.bars.positions import Position
@@ -13,9 +14,10 @@ from groundslab.design.rules.punching_links.layout import LinkLayout
 from groundslab.languages import Translator
 from groundslab.messages import Message, Name
 from groundslab.model.model import Model
-from groundslab.unit_systems import System, bar_size, bars_at, in_system
+from groundslab.unit_systems import System, bar_size, bars_at, in_system, unit_in
 from groundslab.units import UNITS, format_number
 from groundslab.views.drawing.shapes import Circle, Line, Shape, moved
+from groundslab.views.drawing.sheets.dimensions import written
 from groundslab.views.drawing.sheets.marks import label
 from groundslab.views.drawing.sheets.paper import Box, Sheet
 from groundslab.views.drawing.sheets.placing import Candidate, Taken, shortened
@@ -23,6 +25,8 @@ from groundslab.views.drawing.sheets.placing import Candidate, Taken, shortened
 LAYER = "LINKS"
 #: Radius of a leg on paper, at least [mm], and from what is labelled to its label [mm].
 DOT, OFF = 0.4, 2.0
+#: Half of the tick at the ends of a stretch of links [mm].
+TICK = 1.3
 
 
 def draw_links(
@@ -46,8 +50,22 @@ def draw_links(
         words = Message(
             "{count} links {bars}", count=laid.number, bars=Name(bars_at(laid.diameter, laid.spacing, model.units))
         )
-        shown = label(LAYER, f"{mark}", [say(words)], [shortened(laid.name)])
+        below = [shortened(laid.name)]
+        if len(laid.standing) > 1:
+            ends = np.array([link.place for link in (laid.standing[0], laid.standing[-1])])
+            sheet.shapes.extend(_stretch(ends * sheet.per_meter + sheet.origin))
+            unit, per_meter = unit_in("m", model.units)
+            long = written((len(laid.standing) - 1) * laid.spacing * per_meter)
+            below.append(say(Message("over {long} {unit}", long=long, unit=unit)))
+        shown = label(LAYER, f"{mark}", [say(words)], below)
         sheet.shapes.extend(taken.place(_beside(around, shown)))
+
+
+def _stretch(ends: Array) -> Iterator[Line]:
+    """Yield the line from the first to the last link of a beam, with a tick at each end [mm]."""
+    yield Line(LAYER, ends)
+    for end in ends:
+        yield Line(LAYER, np.array([end - TICK, end + TICK]))
 
 
 def _around(laid: LaidLinks, sheet: Sheet) -> Box:
