@@ -118,14 +118,14 @@ class CutBar(NamedTuple):
     """A straight bar between its ends, and the pieces that it is cut into."""
 
     ends: Array  # (2, 2): the covers off edges [m]
-    count: int  # of pieces
+    parts: int  # number of pieces
     length: float  # of each, laps included [m]
     lap: float  # [m], 0 where nothing is lapped
 
     def pieces(self, axis: int) -> Array:
-        """Return the ends (count, 2, 2) of the pieces [m] of a bar along an axis."""
-        pieces = np.repeat(self.ends[None], self.count, axis=0)
-        starts = self.ends[0, axis] + np.arange(self.count) * (self.length - self.lap)
+        """Return the ends (p, 2, 2) of the pieces [m] of a bar along an axis."""
+        pieces = np.repeat(self.ends[None], self.parts, axis=0)
+        starts = self.ends[0, axis] + np.arange(self.parts) * (self.length - self.lap)
         pieces[:, :, axis] = starts[:, None] + [0.0, self.length]
         return pieces
 
@@ -187,7 +187,7 @@ def _of_set(model: Model, steel: Reinforcement, bar_set: BarSet) -> Iterator[Pos
     bars = cut_bars(model, steel, bar_set)
     if not bars:
         return
-    lengths = np.repeat([bar.length for bar in bars], [bar.count for bar in bars])
+    lengths = np.repeat([bar.length for bar in bars], [bar.parts for bar in bars])
     lap = max(bar.lap for bar in bars) or None
     rounded = to_cut(lengths, model.units)
     different = np.unique(rounded)

@@ -152,7 +152,7 @@ def _governing(combined: Results, steel: Reinforcement, laid: Mapping[str, Array
     return rows
 
 
-def _pairs(section: Array, provided: Array) -> list[tuple[float, float]]:
+def _pairs(section: Integers, provided: Array) -> list[tuple[float, float]]:
     """Return the pairs of section (n,) and area (n,) [m2/m] that there are at nodes, in ascending order."""
     areas, which = np.unique(provided, return_inverse=True)
     pairs = np.unique(section * len(areas) + which.reshape(-1))

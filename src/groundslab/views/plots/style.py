@@ -103,13 +103,13 @@ def apply_style(changes: Mapping[str, Any] = MappingProxyType({})) -> Iterator[N
 def _settings() -> dict[str, Any]:
     """Return Matplotlib's own settings with those of this style, checked."""
     import matplotlib
+    from matplotlib.style.core import STYLE_BLACKLIST
 
     with matplotlib.rc_context():
         matplotlib.rcdefaults()
         shared: Any = matplotlib.rcParams
         shared.update(RC)
-        kept = matplotlib.style.core.STYLE_BLACKLIST
-        return {name: dict.__getitem__(shared, name) for name in shared if name not in kept}
+        return {name: dict.__getitem__(shared, name) for name in shared if name not in STYLE_BLACKLIST}
 
 
 def plain_text(text: str, width: int = 200, lines: int = 1) -> str:

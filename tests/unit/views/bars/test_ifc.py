@@ -135,8 +135,8 @@ def test_legs_have_hooks_at_both_ends(tmp_path: Path) -> None:
 def test_links_of_beams_stand_along_them(tmp_path: Path) -> None:
     """Of a strip of 1 m by 0.6 m and of a rib 0.4 m wide that ends 1.1 m deep, covers of 50 mm all around.
 
-    Links of 12 mm every 200 mm from the start of the strip on, two of four legs inner ones; of 10 mm every 250 mm in the
-    rib, from 1 m to 3 m of its way. Hooks of 135 degrees turn inward, so that the box is that of the outer sides.
+    Links of 12 mm every 200 mm from the start of the strip on, two of four legs inner ones; of 10 mm every 250 mm in
+    the rib, from 1 m to 3 m of its way. Hooks of 135 degrees turn inward, so that the box is that of the outer sides.
     """
     slab = linked(**{**LINKS, "shear_links": []})
     file = ifcopenshell.open(groundslab.write_bars(slab, tmp_path / "bars.ifc"))

@@ -14,10 +14,10 @@ from groundslab.design.bars.positions import CutBar, Position, cut_bars
 from groundslab.languages import Translator
 from groundslab.messages import Message, Name
 from groundslab.model.model import Model
-from groundslab.unit_systems import System, bars_at, unit_in
+from groundslab.unit_systems import System, bars_at
 from groundslab.views.drawing.bars import BROKEN, line_across, shown_bar
 from groundslab.views.drawing.shapes import Circle, Line, Shape, moved, rings, scaled
-from groundslab.views.drawing.sheets.dimensions import written
+from groundslab.views.drawing.sheets.dimensions import long_words, written
 from groundslab.views.drawing.sheets.marks import MARGIN, Label, interrupted, labels_of
 from groundslab.views.drawing.sheets.paper import Box, Sheet
 from groundslab.views.drawing.sheets.placing import Candidate, Taken, thin_box, turned
@@ -62,17 +62,14 @@ def _zone(region: BaseGeometry) -> Iterator[Line]:
 
 def _words(bar_set: BarSet, of_set: Sequence[Position], units: System, say: Translator) -> tuple[list[str], list[str]]:
     """Return what the label of a set says above the bar and below it."""
-    unit, per_meter = unit_in("m", units)
     count = sum(len(bar.lengths) for bar in of_set)
     mesh = f"{bar_set.mesh}: " if bar_set.mesh else ""
-    shortest, longest = (written(find(float(find(bar.lengths)) for bar in of_set) * per_meter) for find in (min, max))
-    long = longest if shortest == longest else Message("{low} to {high}", low=shortest, high=longest)
-    below: list[str] = [Message("l = {long} {unit}", long=long, unit=unit)]
+    below = [long_words(np.concatenate([bar.lengths for bar in of_set]), units)]
     if of_set[0].lap is not None:
         below.append(Message("lap {lap:.2f m}", lap=of_set[0].lap).in_units(units))
     if bar_set.zone:
         x0, y0, x1, y1 = bar_set.region.bounds
-        sides = " \N{MULTIPLICATION SIGN} ".join(say(written(side * per_meter)) for side in (x1 - x0, y1 - y0))
+        sides = " \N{MULTIPLICATION SIGN} ".join(say(written(side, units)) for side in (x1 - x0, y1 - y0))
         below.append(Name(sides))
     return [Name(f"{mesh}{count} {bars_at(bar_set.bars.diameter, bar_set.bars.spacing, units)}")], below
 
@@ -142,7 +139,7 @@ def _leader(ends: Array, axis: int, low: float, high: float) -> tuple[Line, ...]
 def _pieces(layer: str, bar: CutBar, axis: int, sheet: Sheet) -> tuple[Line, ...]:
     """Return the pieces of a bar on paper, those that lap beside each other."""
     pieces = bar.pieces(axis) * sheet.per_meter + sheet.origin
-    if bar.count > 1:
+    if bar.parts > 1:
         pieces[::2, :, 1 - axis] -= APART
         pieces[1::2, :, 1 - axis] += APART
     return tuple(Line(layer, piece) for piece in pieces)

@@ -57,12 +57,12 @@ def draw_sheets(model: Model, links: Sequence[LinkLayout], paper: Paper) -> list
     listed = positions(model)
     wanted = list(_wanted(model, links, listed, say))
     chains = {title: chains_of(model, zones) for title, zones, _, _ in wanted}
-    scales = [choose_scale(paper, model.bounds, partial(margins_of, model, chain)) for chain in chains.values()]
-    coarsest = max(scale for scale, _ in scales)
+    fit = partial(choose_scale, paper, model.bounds, units=model.units)
+    coarsest = max(scale for scale, _ in (fit(partial(margins_of, model, chain)) for chain in chains.values()))
     table = in_units(_list_of(model, links, listed), model.units)
     sheets = []
     for number, (title, _, marks, draw) in enumerate(wanted, start=1):
-        scale, origin = choose_scale(paper, model.bounds, partial(margins_of, model, chains[title]), coarsest)
+        scale, origin = fit(partial(margins_of, model, chains[title]), least=coarsest)
         sheet = Sheet(title, paper, scale, origin)
         draw(sheet, draw_plan(model, sheet, chains[title], say))
         draw_list(model, sheet, table, marks, say)

@@ -14,7 +14,7 @@ from groundslab.design.rules.punching_links.layout import LinkLayout
 from groundslab.languages import Translator
 from groundslab.messages import Message, Name
 from groundslab.model.model import Model
-from groundslab.unit_systems import System, bar_size, bars_at, in_system, unit_in
+from groundslab.unit_systems import System, bar_size, bars_at, in_system
 from groundslab.units import UNITS, format_number
 from groundslab.views.drawing.shapes import Circle, Line, Shape, moved
 from groundslab.views.drawing.sheets.dimensions import written
@@ -50,14 +50,14 @@ def draw_links(
         words = Message(
             "{count} links {bars}", count=laid.number, bars=Name(bars_at(laid.diameter, laid.spacing, model.units))
         )
-        below = [shortened(laid.name)]
+        beside = [shortened(laid.name)]
         if len(laid.standing) > 1:
             ends = np.array([link.place for link in (laid.standing[0], laid.standing[-1])])
             sheet.shapes.extend(_stretch(ends * sheet.per_meter + sheet.origin))
-            unit, per_meter = unit_in("m", model.units)
-            long = written((len(laid.standing) - 1) * laid.spacing * per_meter)
-            below.append(say(Message("over {long} {unit}", long=long, unit=unit)))
-        shown = label(LAYER, f"{mark}", [say(words)], below)
+            long = written((len(laid.standing) - 1) * laid.spacing, model.units)
+            unit = "" if model.units == "US" else Name(" m")
+            beside.append(say(Message("over {long}{unit}", long=long, unit=unit)))
+        shown = label(LAYER, f"{mark}", [say(words)], beside)
         sheet.shapes.extend(taken.place(_beside(around, shown)))
 
 
