@@ -20,7 +20,7 @@ from groundslab.views.drawing.shapes import Circle, Line, Shape, moved
 from groundslab.views.drawing.sheets.dimensions import written
 from groundslab.views.drawing.sheets.marks import label
 from groundslab.views.drawing.sheets.paper import Box, Sheet
-from groundslab.views.drawing.sheets.placing import Candidate, Taken, shortened
+from groundslab.views.drawing.sheets.placing import Candidate, Taken, shortened, thin_box
 
 LAYER = "LINKS"
 #: Radius of a leg on paper, at least [mm], and from what is labelled to its label [mm].
@@ -52,8 +52,10 @@ def draw_links(
         )
         beside = [shortened(laid.name)]
         if len(laid.standing) > 1:
-            ends = np.array([link.place for link in (laid.standing[0], laid.standing[-1])])
-            sheet.shapes.extend(_stretch(ends * sheet.per_meter + sheet.origin))
+            places = np.array([link.place for link in (laid.standing[0], laid.standing[-1])])
+            ends = places * sheet.per_meter + sheet.origin
+            sheet.shapes.extend(_stretch(ends))
+            taken.lines.append(thin_box(ends))
             long = written((len(laid.standing) - 1) * laid.spacing, model.units)
             unit = "" if model.units == "US" else Name(" m")
             beside.append(say(Message("over {long}{unit}", long=long, unit=unit)))
