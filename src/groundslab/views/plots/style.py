@@ -103,13 +103,13 @@ def apply_style(changes: Mapping[str, Any] = MappingProxyType({})) -> Iterator[N
 def _settings() -> dict[str, Any]:
     """Return Matplotlib's own settings with those of this style, checked."""
     import matplotlib
-    from matplotlib.style.core import STYLE_BLACKLIST
 
     with matplotlib.rc_context():
         matplotlib.rcdefaults()
         shared: Any = matplotlib.rcParams
         shared.update(RC)
-        return {name: dict.__getitem__(shared, name) for name in shared if name not in STYLE_BLACKLIST}
+        # what shows figures on a screen is not ours to choose
+        return {name: dict.__getitem__(shared, name) for name in shared if name != "backend"}
 
 
 def plain_text(text: str, width: int = 200, lines: int = 1) -> str:
