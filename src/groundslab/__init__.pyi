@@ -139,6 +139,7 @@ from .study.alternatives.comparison import DesignComparison as DesignComparison
 from .study.alternatives.comparison import compare_designs as compare_designs
 from .study.call import study as study
 from .study.evaluation.study import open_study as open_study
+from .views.bars import left_out_of_bars as left_out_of_bars
 from .views.bars import write_bars as write_bars
 from .views.files.results_folder import load_results as load_results
 from .views.files.results_folder import save_results as save_results

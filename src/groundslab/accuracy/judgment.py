@@ -43,7 +43,8 @@ class JudgedValue:
     """An error as a share of what governs, the value [SI], its name and place [m], and the error itself [SI].
 
     Around are the places (p, 2) of all nodal values that may exceed it by at least half as much, none of other values.
-    Coarse are these and, of fields, those that come next: nearly as large and at least half as far off. The sign is -1 of a smallest value.
+    Coarse are these and, of fields, those that come next: nearly as large, and at least half as far off. The sign is -1
+    of a smallest value.
     """
 
     share: float

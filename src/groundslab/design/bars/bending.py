@@ -17,13 +17,14 @@ from typing import Literal
 import numpy as np
 
 from groundslab.design.bars.further_links import LaidLinks, further_links
-from groundslab.design.bars.positions import STRAIGHT, U_SHAPE, Position, positions
+from groundslab.design.bars.positions import STRAIGHT, U_SHAPE, Position, positions, to_cut
 from groundslab.design.codes.registry import code_of
 from groundslab.design.rules.detailing_rule import BendRule
 from groundslab.design.rules.punching_links.layout import LinkLayout
 from groundslab.model.design.laid_bars import DENSITY
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.model.model import Model
+from groundslab.unit_systems import INCH, KIP, System
 
 #: A link: closed, a single leg, and a stud with heads, which nobody bends.
 CLOSED: Literal["link"] = "link"
@@ -32,6 +33,11 @@ STUD: Literal["stud"] = "stud"
 Shape = Literal["straight", "U", "link", "leg", "stud"]
 #: What the layer of links is called.
 LINKS = "links"
+#: Grades of ASTM A615 and A706, and f_y of each [Pa]: in ksi, and in MPa as the metric standards have it.
+GRADES = {
+    grade: (grade * KIP / INCH**2, metric * 1e6)
+    for grade, metric in ((40, 280), (60, 420), (75, 520), (80, 550), (100, 690))
+}
 #: How far bars are turned at corners, and at the hooks of links [deg].
 RIGHT, HOOK = 90, 135
 
@@ -105,18 +111,44 @@ class BentBar:
 
 
 def bent_bars(model: Model, links: Sequence[LinkLayout] = ()) -> list[BentBar]:
-    """Return all bars that a model lays as they are cut and bent, to the millimeter, and of results the links."""
+    """Return all bars that a model lays as they are cut and bent, and of results the links.
+
+    Lengths are as `to_cut` rounds them in the units of the case.
+    """
     steel = model.reinforcement
     if steel is None or not steel.laid:
         return []
-    rule = None if (detailing := code_of(steel).detailing) is None else detailing.bends
-    listed = positions(model)
-    bars = [bar for position in listed if not position.mesh for bar in _of_position(position, rule)]
-    for mark, layout in marked_links(links, listed).items():
-        bars.append(_of_layout(steel, layout, mark, rule))
-    for mark, laid in marked_further_links(model, links, listed).items():
-        bars += _of_links(laid, mark, rule)
-    return bars
+    rule, listed = _bend_rule(steel), positions(model)
+    bars = [bar for position in listed if not position.mesh for bar in _of_position(position, rule, model.units)]
+    return bars + [bar for of_mark in bent_links(model, links, listed).values() for bar in of_mark]
+
+
+def bent_links(model: Model, links: Sequence[LinkLayout], listed: Sequence[Position]) -> dict[int, list[BentBar]]:
+    """Return all links as they are bent, with their hooks, by their marks."""
+    steel = model.reinforcement
+    if steel is None:
+        return {}
+    rule, units = _bend_rule(steel), model.units
+    bent = {
+        mark: [_of_layout(steel, layout, mark, rule, units)] for mark, layout in marked_links(links, listed).items()
+    }
+    further = marked_further_links(model, links, listed)
+    return bent | {mark: list(_of_links(laid, mark, rule, units)) for mark, laid in further.items()}
+
+
+def grade_of(steel: Reinforcement) -> str:
+    """Return the steel of bars as orders name it: its class, of ACI 318 the grade of ASTM, else f_yk [MPa]."""
+    strength = steel.f_yk or 0.0
+    if steel.steel is None and steel.code == "ACI 318":
+        for grade, sizes in GRADES.items():
+            if any(abs(strength - size) <= 1e6 for size in sizes):
+                return f"Grade {grade}"
+    return steel.steel or f"{strength / 1e6:g}"
+
+
+def _bend_rule(steel: Reinforcement) -> BendRule | None:
+    """Return the rules for bends of the code of a case, None where they are not known here."""
+    return None if (detailing := code_of(steel).detailing) is None else detailing.bends
 
 
 def marked_links(links: Sequence[LinkLayout], listed: Sequence[Position]) -> dict[int, LinkLayout]:
@@ -131,56 +163,62 @@ def marked_further_links(model: Model, links: Sequence[LinkLayout], listed: Sequ
     return dict(enumerate(further_links(model), start=first))
 
 
-def _of_position(position: Position, rule: BendRule | None) -> Iterator[BentBar]:
+def _of_position(position: Position, rule: BendRule | None, units: System) -> Iterator[BentBar]:
     """Yield the bars of a position, those of each length by themselves, the longest first."""
-    lengths, numbers = np.unique(np.rint(position.lengths * 1e3), return_counts=True)
+    lengths, numbers = np.unique(to_cut(position.lengths, units), return_counts=True)
     diameter, layer = position.bars.diameter, position.layer.replace("_", " ")
     mandrel = None if rule is None else rule.mandrel(diameter)
-    for part, (length, number) in enumerate(zip(lengths[::-1] / 1e3, numbers[::-1].tolist(), strict=True), 1):
+    for part, (length, number) in enumerate(zip(lengths[::-1], numbers[::-1].tolist(), strict=True), 1):
         mark = f"{position.mark}" if len(lengths) == 1 else f"{position.mark}-{part}"
         if position.shape == U_SHAPE:
-            leg = round(position.lap or 0.0, 3)
-            sides = (leg, round(float(length) - 2 * leg, 3), leg)
+            whole, leg = _to_bend((float(position.lengths[0]), position.lap or 0.0), units)
+            sides = (leg, *_to_bend((whole - 2 * leg,), units), leg)
             yield BentBar(mark, layer, U_SHAPE, diameter, number, sides, (), mandrel)
         else:
             yield BentBar(mark, layer, STRAIGHT, diameter, number, (float(length),), (), mandrel)
 
 
-def _of_layout(steel: Reinforcement, layout: LinkLayout, mark: int, rule: BendRule | None) -> BentBar:
+def _of_layout(steel: Reinforcement, layout: LinkLayout, mark: int, rule: BendRule | None, units: System) -> BentBar:
     """Return the legs against punching around one column, pile, zone or end of a wall."""
     laid = steel.links_at(layout.name)
     if laid is not None and laid.kind == "studs":
-        return BentBar(f"{mark}", LINKS, STUD, layout.diameter, layout.number, (round(layout.leg, 3),))
-    return _leg(f"{mark}", layout.diameter, layout.number, layout.leg, rule)
+        return BentBar(f"{mark}", LINKS, STUD, layout.diameter, layout.number, _to_bend((layout.leg,), units))
+    return _leg(f"{mark}", layout.diameter, layout.number, layout.leg, rule, units)
 
 
-def _of_links(laid: LaidLinks, mark: int, rule: BendRule | None) -> Iterator[BentBar]:
+def _of_links(laid: LaidLinks, mark: int, rule: BendRule | None, units: System) -> Iterator[BentBar]:
     """Yield the closed links of a beam and their inner legs, or the legs in a part of a slab."""
     if laid.sides is None:
-        yield _leg(f"{mark}", laid.diameter, laid.number, laid.length, rule)
+        yield _leg(f"{mark}", laid.diameter, laid.number, laid.length, rule, units)
         return
-    across, upright = (round(side, 3) for side in laid.sides)
+    across, upright = _to_bend(laid.sides, units)
     inner = laid.legs - 2
     hooks: tuple[float, ...] = ()
     mandrel = None
     if rule is not None:
-        hooks, mandrel = 2 * (_hook(rule, laid.diameter, HOOK),), rule.link_mandrel(laid.diameter)
+        hooks, mandrel = 2 * (_hook(rule, laid.diameter, HOOK, units),), rule.link_mandrel(laid.diameter)
     first = f"{mark}-1" if inner else f"{mark}"
     yield BentBar(first, LINKS, CLOSED, laid.diameter, laid.number, (across, upright), hooks, mandrel)
     if inner:
-        yield _leg(f"{mark}-2", laid.diameter, inner * laid.number, upright, rule)
+        yield _leg(f"{mark}-2", laid.diameter, inner * laid.number, upright, rule, units)
 
 
-def _leg(mark: str, diameter: float, number: int, length: float, rule: BendRule | None) -> BentBar:
+def _leg(mark: str, diameter: float, number: int, length: float, rule: BendRule | None, units: System) -> BentBar:
     """Return single legs of links."""
     hooks: tuple[float, ...] = ()
     mandrel = None
     if rule is not None:
-        hooks = (_hook(rule, diameter, HOOK), _hook(rule, diameter, RIGHT))
+        hooks = (_hook(rule, diameter, HOOK, units), _hook(rule, diameter, RIGHT, units))
         mandrel = rule.link_mandrel(diameter)
-    return BentBar(mark, LINKS, LEG, diameter, number, (round(length, 3),), hooks, mandrel)
+    return BentBar(mark, LINKS, LEG, diameter, number, _to_bend((length,), units), hooks, mandrel)
 
 
-def _hook(rule: BendRule, diameter: float, angle: float) -> float:
-    """Return the length of a hook [m], rounded up to whole millimeters."""
-    return math.ceil(rule.hook_side(diameter, angle) * 1e3 - 1e-6) / 1e3
+def _to_bend(sides: Sequence[float], units: System) -> tuple[float, ...]:
+    """Return sides [m] as they are bent."""
+    return tuple(to_cut(np.array(sides), units, bent=True).tolist())
+
+
+def _hook(rule: BendRule, diameter: float, angle: float, units: System) -> float:
+    """Return the length of a hook [m], rounded up to whole millimeters, or to quarters of an inch."""
+    per_meter = 1e3 if units == "SI" else 4 / INCH
+    return math.ceil(rule.hook_side(diameter, angle) * per_meter - 1e-6) / per_meter

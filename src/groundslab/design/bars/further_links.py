@@ -11,7 +11,7 @@ import numpy as np
 
 from groundslab.geometry.plan import FLAT
 from groundslab.model.design.beam_links import BeamLinks
-from groundslab.model.design.laid_bars import axis_of, covers_of, laid_bars, polygon_of
+from groundslab.model.design.laid_bars import DENSITY, axis_of, covers_of, laid_bars, polygon_of
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.model.model import Model
 from groundslab.model.plates.region import get_plate_region
@@ -21,8 +21,14 @@ if TYPE_CHECKING:
     from shapely import LineString, Point
     from shapely.geometry.base import BaseGeometry
 
-#: Mass of steel [kg/m3] (EN 1992-1-1 3.2.7(3)).
-STEEL = 7850.0
+
+class StandingLink(NamedTuple):
+    """Where a link of a beam stands."""
+
+    place: tuple[float, float]  # of its middle in plan [m]
+    along: tuple[float, float]  # the beam's direction, a unit vector
+    top: float  # height of the section's upper side, that of the slab at 0 [m]
+    cover: float  # of the link at the upper side [m]
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,6 +45,7 @@ class LaidLinks:
     corners: tuple[float, float, float, float] | None = None  # x0, y0, x1, y1 of the part of a slab [m]
     sides: tuple[float, float] | None = None  # of closed links, across and upright, outside [m]
     legs: int = 1  # upright, of each
+    standing: tuple[StandingLink, ...] = ()  # of those of beams, each
 
     @property
     def total(self) -> float:
@@ -48,7 +55,7 @@ class LaidLinks:
     @property
     def mass(self) -> float:
         """Return what they weigh [kg]."""
-        return STEEL * math.pi * self.diameter**2 / 4 * self.total
+        return DENSITY * math.pi * self.diameter**2 / 4 * self.total
 
 
 def further_links(model: Model) -> Iterator[LaidLinks]:
@@ -110,27 +117,40 @@ def _of_beam(model: Model, steel: Reinforcement, links: BeamLinks) -> Iterator[L
     member = _member(model, links.of)
     end = member.length if links.end is None else links.end
     number = math.floor((end - links.start) / links.spacing + 1e-9) + 1
-    alike = dict[float, list[tuple[float, float]]]()
+    alike = dict[float, list[tuple[tuple[float, float], tuple[float, float], float]]]()
     for way in (links.start + links.spacing * np.arange(number)).tolist():
-        point = member.axis.interpolate(min(way / member.length, 1.0), normalized=True)
-        h = member.height + (_thickness_at(model, point) if member.with_slab else 0.0)
-        alike.setdefault(h, []).append((point.x, point.y))
+        part = min(way / member.length, 1.0)
+        point = member.axis.interpolate(part, normalized=True)
+        thickness, level = _slab_at(model, point)
+        h = member.height + (thickness if member.with_slab else 0.0)
+        place = (point.x, point.y), _direction(member.axis, part), level + member.top + member.middle * thickness
+        alike.setdefault(h, []).append(place)
     for h, places in alike.items():
-        middle = places[len(places) // 2]
+        middle, _, _ = places[len(places) // 2]
         covers = _covers(steel, middle)
         across, upright = member.width - 2 * min(covers), h - sum(covers)
         link_length = 2 * across + links.legs * upright
         yield LaidLinks(
             links.of, "link", links.diameter, links.spacing, len(places), link_length, middle, None, (across, upright),
-            links.legs,
+            links.legs, tuple(StandingLink(*place, covers[1]) for place in places),
         )  # fmt: skip
 
 
-def _thickness_at(model: Model, point: Point) -> float:
-    """Return the thickness of the slab at a place [m]: of its last zone there, else its own."""
+def _direction(axis: LineString, part: float) -> tuple[float, float]:
+    """Return the direction of an axis at a part of its length, a unit vector."""
+    before, after = (axis.interpolate(float(np.clip(part + step, 0, 1)), normalized=True) for step in (-1e-6, 1e-6))
+    along = np.array([after.x - before.x, after.y - before.y])
+    x, y = (along / np.linalg.norm(along)).tolist()
+    return x, y
+
+
+def _slab_at(model: Model, point: Point) -> tuple[float, float]:
+    """Return thickness of the slab at a place and the height of its upper side [m]: of its last zone, else its own."""
     plate = model.every_plate[get_plate_region(model.plate, model.plates).plate_at((point.x, point.y))]
-    thicknesses = [zone.thickness for zone in plate.zones if polygon_of(zone.shape.ring()).covers(point)]
-    return (thicknesses[-1] if thicknesses else None) or plate.thickness
+    zones = [zone for zone in plate.zones if polygon_of(zone.shape.ring()).covers(point)]
+    if not zones:
+        return plate.thickness, 0.0
+    return zones[-1].thickness or plate.thickness, zones[-1].level or 0.0
 
 
 class _Member(NamedTuple):
@@ -141,6 +161,8 @@ class _Member(NamedTuple):
     width: float  # [m]
     height: float  # of its section, beside the slab if that belongs to it [m]
     with_slab: bool
+    top: float = 0.0  # height of its upper side above that of the slab [m]
+    middle: float = 0.0  # and beside it so many times the slab's thickness
 
 
 def _member(model: Model, name: str) -> _Member:
@@ -156,4 +178,8 @@ def _member(model: Model, name: str) -> _Member:
     section = beam.section
     assert not isinstance(section, GivenSection)
     axis = beam.to_shapely(FLAT * max(model.sides))
-    return _Member(axis, beam.length, section.width, section.height, isinstance(section, RibSection))
+    width, height = section.width, section.height
+    if isinstance(section, RibSection):
+        return _Member(axis, beam.length, width, height, True, height if section.side == "above" else 0.0)
+    # a rectangle lies about the middle of the slab
+    return _Member(axis, beam.length, width, height, False, height / 2, -0.5)

@@ -3,7 +3,8 @@
 Straight bars lie in one plane: as far from the face as their axes are given, from the underside of the thinnest slab
 that they cross. Pieces that lap lie beside each other, every second one its diameter off. In pits bars lie as much
 lower as the floor does. U-shaped bars stand at the edges, for the thickness that their length is for. Legs against
-punching have their hooks along x.
+punching have their hooks along x. Closed links of beams have theirs at an upper corner, where one end passes the other
+by a diameter along the beam; their inner legs stand beside them, so far on, with hooks along the beam.
 """
 
 from __future__ import annotations
@@ -17,13 +18,22 @@ import numpy as np
 
 from groundslab.arrays import Array
 from groundslab.design.bars.bar_layout import BarSet, bar_sets
-from groundslab.design.bars.bending import HOOK, LEG, RIGHT, STUD, BentBar, bent_bars, marked_links
+from groundslab.design.bars.bending import (
+    HOOK,
+    LEG,
+    RIGHT,
+    STUD,
+    BentBar,
+    bent_bars,
+    marked_further_links,
+    marked_links,
+)
+from groundslab.design.bars.further_links import LaidLinks
 from groundslab.design.bars.positions import (
     STRAIGHT,
     U_SHAPE,
     Position,
-    at_edge,
-    cut,
+    cut_bars,
     edge_thickness,
     inside_of,
     positions,
@@ -48,10 +58,14 @@ class PlacedBar:
 
     bar: BentBar
     corners: Array
+    of_beam: bool = False  # a link
 
 
 def placed_bars(model: Model, links: Sequence[LinkLayout] = ()) -> list[PlacedBar]:
-    """Return all bars that a model lays, and of results the legs against punching; neither meshes nor other links."""
+    """Return all bars that a model lays with the links of beams, and of results the legs against punching.
+
+    Neither meshes nor links against one-way shear, which do not stand one by one here.
+    """
     steel = model.reinforcement
     if steel is None or not steel.laid:
         return []
@@ -70,6 +84,8 @@ def placed_bars(model: Model, links: Sequence[LinkLayout] = ()) -> list[PlacedBa
     ]
     for mark, layout in marked_links(links, listed).items():
         placed += _legs(steel, layout, bent[mark][0])
+    for mark, laid in marked_further_links(model, links, listed).items():
+        placed += _of_beam(laid, bent[mark])
     return placed
 
 
@@ -84,22 +100,15 @@ def _straight(
     ]
     alike = [bar for position in of_set for bar in bent[position.mark]]
     axis, off = bar_set.axis, axis_of(steel, bar_set.layer)
-    detailing, lap = steel.detailing, next((position.lap for position in of_set if position.lap is not None), 0.0)
-    ends = bar_set.ends.copy()
-    if detailing is not None:
-        cover = off - bar_set.bars.diameter / 2
-        ends[:, :, axis] += cover * at_edge(model, bar_set.ends) * [1.0, -1.0]
     slabs = list(_slabs(model))
-    for bar in ends[ends[:, 1, axis] > ends[:, 0, axis]]:
-        length = float(bar[1, axis] - bar[0, axis])
-        count, piece_length = (1, length) if detailing is None else cut(length, detailing.bar_length, lap)
-        cut_bar = min(alike, key=lambda bent_bar: abs(bent_bar.length - piece_length))
-        height = _height(slabs, bar, bar_set.layer, off)
-        for number in range(count):
-            corners = np.column_stack([bar, [height, height]])
-            corners[:, axis] = bar[0, axis] + number * (piece_length - lap) + np.array([0.0, piece_length])
+    for bar in cut_bars(model, steel, bar_set):
+        length = bar.length
+        bent_bar = min(alike, key=lambda each: abs(each.length - length))
+        height = _height(slabs, bar.ends, bar_set.layer, off)
+        for number, piece in enumerate(bar.pieces(axis)):
+            corners = np.column_stack([piece, [height, height]])
             corners[:, 1 - axis] += number % 2 * bar_set.bars.diameter
-            yield PlacedBar(cut_bar, corners)
+            yield PlacedBar(bent_bar, corners)
 
 
 def _slabs(model: Model) -> Iterator[tuple[BaseGeometry, float, float]]:
@@ -155,6 +164,54 @@ def _legs(steel: Reinforcement, layout: LinkLayout, bar: BentBar) -> Iterator[Pl
         yield PlacedBar(bar, axis + foot)
 
 
+def _of_beam(laid: LaidLinks, bent: Sequence[BentBar]) -> Iterator[PlacedBar]:
+    """Yield the links of a beam with their inner legs, as they stand along it."""
+    if not laid.standing:
+        return
+    closed, *inner = bent
+    across, upright = closed.sides
+    link = link_axis(closed)
+    steps = np.arange(1, laid.legs - 1) / (laid.legs - 1) - 0.5
+    for standing in laid.standing:
+        along = np.array([*standing.along, 0.0])
+        frame = np.array([along, [-along[1], along[0], 0.0], [0.0, 0.0, 1.0]])
+        foot = np.array([*standing.place, standing.top - standing.cover - upright])
+        yield PlacedBar(closed, link @ frame + foot, of_beam=True)
+        for bar in inner:
+            for step in steps * (across - closed.diameter):
+                beside = np.array([closed.diameter, step, 0.0])
+                yield PlacedBar(bar, (leg_axis(bar) + beside) @ frame + foot, of_beam=True)
+
+
+def link_axis(bar: BentBar) -> Array:
+    """Return the corners (k, 3) of the axis of a closed link along x, whose lower side is at z = 0 [m].
+
+    It begins at an upper corner, runs across, down, back and up; both hooks are turned into its inside.
+    """
+    across, upright = bar.sides
+    half, low, high = (across - bar.diameter) / 2, bar.diameter / 2, upright - bar.diameter / 2
+    around = np.array([[0, -half, high], [0, half, high], [0, half, low], [0, -half, low], [0, -half, high]])
+    around[-1, 0] = bar.diameter
+    if not bar.hooks or bar.mandrel is None:
+        return around
+    beyond, tail = _hooked(bar, bar.hooks[0])
+    around[0, 1] -= beyond
+    around[-1, 2] += beyond
+    inward = np.array([0.0, 1.0, -1.0]) * tail * math.sqrt(0.5)
+    return np.vstack([around[0] + inward, around, around[-1] + inward])
+
+
+def _hooked(bar: BentBar, hook: float) -> tuple[float, float]:
+    """Return how far beyond the axis of the next side a corner at a hook lies, and from there to the hook's end [m].
+
+    Sides are given to the outer tangent of the bend; the axes of both sides meet farther out.
+    """
+    assert bar.mandrel is not None
+    radius = (bar.mandrel + bar.diameter) / 2
+    beyond = radius * math.tan(math.radians(HOOK) / 2) - radius
+    return beyond, hook - bar.diameter / 2 + beyond
+
+
 def leg_axis(bar: BentBar) -> Array:
     """Return the corners (k, 3) of the axis of an upright leg that stands at 0, with hooks along x [m].
 
@@ -163,11 +220,8 @@ def leg_axis(bar: BentBar) -> Array:
     if bar.shape == STUD or not bar.hooks or bar.mandrel is None:
         return np.array([[0.0, 0.0, bar.sides[0]], [0.0, 0.0, 0.0]])
     assert bar.shape == LEG
-    radius = (bar.mandrel + bar.diameter) / 2
-    outer = radius + bar.diameter / 2
-    beyond = radius * math.tan(math.radians(HOOK) / 2)
-    corner = bar.sides[0] - outer + beyond
-    tail = bar.hooks[0] - outer + beyond
+    beyond, tail = _hooked(bar, bar.hooks[0])
+    corner = bar.sides[0] - bar.diameter / 2 + beyond
     turn = math.radians(HOOK)
     end = [tail * math.sin(turn), 0.0, corner + tail * math.cos(turn)]
     foot = bar.hooks[1] - bar.diameter / 2

@@ -17,7 +17,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING, Literal, NamedTuple
 
 import numpy as np
 
@@ -26,16 +26,16 @@ from groundslab.design.bars.bar_layout import BarSet, bar_sets
 from groundslab.design.codes.registry import code_of
 from groundslab.design.rules.detailing_rule import DetailingRule, EndingBar
 from groundslab.model.design.bars import Bars
-from groundslab.model.design.detailing import Detailing
 from groundslab.model.design.laid_bars import DENSITY, axis_of, bars_of, polygon_of
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.model.model import Model
 from groundslab.model.plates.region import get_plate_region
+from groundslab.unit_systems import INCH, System
 
 if TYPE_CHECKING:
     from shapely.geometry.base import BaseGeometry
 
-#: Bars of one set have a position for each length, to the millimeter, unless there are more lengths than this.
+#: Bars of one set have a position for each length that they are cut to, unless there are more lengths than this.
 MOST_LENGTHS = 6
 #: A bar ends at an edge that is no farther than this [m].
 AT_EDGE = 1e-4
@@ -97,12 +97,57 @@ def positions(model: Model) -> list[Position]:
     return [replace(position, mark=number) for number, position in enumerate(laid, start=1)]
 
 
+def to_cut(lengths: Array, units: System, *, bent: bool = False) -> Array:
+    """Return lengths [m] to which bars are cut, or their sides are bent: as they are measured where the units are.
+
+    In SI units to the millimeter; in those of the United States to the inch, bent sides to a quarter of it.
+    """
+    per_meter = 1e3 if units == "SI" else (4 if bent else 1) / INCH
+    return np.asarray(np.rint(lengths * per_meter) / per_meter)
+
+
 def cut(length: float, stock: float, lap: float) -> tuple[int, float]:
     """Return into how many pieces a bar is cut, and how long each is [m], laps included; stock is longer than a lap."""
     if length <= stock:
         return 1, length
     count = math.ceil((length - lap) / (stock - lap) - 1e-9)
     return count, (length + (count - 1) * lap) / count
+
+
+class CutBar(NamedTuple):
+    """A straight bar between its ends, and the pieces that it is cut into."""
+
+    ends: Array  # (2, 2): the covers off edges [m]
+    parts: int  # number of pieces
+    length: float  # of each, laps included [m]
+    lap: float  # [m], 0 where nothing is lapped
+
+    def pieces(self, axis: int) -> Array:
+        """Return the ends (p, 2, 2) of the pieces [m] of a bar along an axis."""
+        pieces = np.repeat(self.ends[None], self.parts, axis=0)
+        starts = self.ends[0, axis] + np.arange(self.parts) * (self.length - self.lap)
+        pieces[:, :, axis] = starts[:, None] + [0.0, self.length]
+        return pieces
+
+
+def cut_bars(model: Model, steel: Reinforcement, bar_set: BarSet) -> list[CutBar]:
+    """Return the bars of a set as they are laid, those that covers leave nothing of left out.
+
+    Without detailing they end where the plan cuts them, and so do the wires of meshes.
+    """
+    axis, detailing, ends = bar_set.axis, steel.detailing, bar_set.ends.copy()
+    if detailing is None or bar_set.mesh:
+        return [CutBar(bar, 1, float(np.ptp(bar[:, axis])), 0.0) for bar in ends]
+    rule = code_of(steel).detailing
+    assert rule is not None
+    cover = axis_of(steel, bar_set.layer) - bar_set.bars.diameter / 2
+    ends[:, :, axis] += cover * at_edge(model, ends) * [1.0, -1.0]
+    lap = lap_of(model, steel, bar_set.layer, bar_set.bars, rule)
+    bars = []
+    for bar in ends[ends[:, 1, axis] > ends[:, 0, axis]]:
+        count, length = cut(float(bar[1, axis] - bar[0, axis]), detailing.bar_length, lap)
+        bars.append(CutBar(bar, count, length, lap if count > 1 else 0.0))
+    return bars
 
 
 def largest_thickness(model: Model) -> float:
@@ -139,29 +184,16 @@ def lap_of(model: Model, steel: Reinforcement, layer: str, bars: Bars, rule: Det
 
 def _of_set(model: Model, steel: Reinforcement, bar_set: BarSet) -> Iterator[Position]:
     """Yield the positions of a set of straight bars, without marks, the longest first."""
-    lengths, lap = bar_set.lengths, None
-    if steel.detailing is not None and not bar_set.mesh:
-        lengths, lap = _cut_all(model, steel, steel.detailing, bar_set)
-    if not len(lengths):
+    bars = cut_bars(model, steel, bar_set)
+    if not bars:
         return
-    rounded = np.round(lengths, 3)
+    lengths = np.repeat([bar.length for bar in bars], [bar.parts for bar in bars])
+    lap = max(bar.lap for bar in bars) or None
+    rounded = to_cut(lengths, model.units)
     different = np.unique(rounded)
     groups = [rounded == length for length in different[::-1]] if len(different) <= MOST_LENGTHS else [rounded > 0]
     for group in groups:
         yield Position(0, bar_set.layer, bar_set.zone, bar_set.mesh, STRAIGHT, bar_set.bars, lengths[group], lap)
-
-
-def _cut_all(model: Model, steel: Reinforcement, detailing: Detailing, bar_set: BarSet) -> tuple[Array, float | None]:
-    """Return the lengths of all pieces (p,) [m] of a set of bars, and their lap [m] if any are lapped."""
-    rule = code_of(steel).detailing
-    assert rule is not None
-    cover = axis_of(steel, bar_set.layer) - bar_set.bars.diameter / 2
-    lengths = bar_set.lengths - cover * at_edge(model, bar_set.ends).sum(axis=1)
-    lap = lap_of(model, steel, bar_set.layer, bar_set.bars, rule)
-    pieces = [cut(float(length), detailing.bar_length, lap) for length in lengths[lengths > 0]]
-    counts = np.array([count for count, _ in pieces], dtype=int)
-    piece_lengths = np.array([length for _, length in pieces])
-    return np.repeat(piece_lengths, counts), lap if (counts > 1).any() else None
 
 
 def at_edge(model: Model, ends: Array) -> Flags:

@@ -137,7 +137,7 @@ def _governing(combined: Results, steel: Reinforcement, laid: Mapping[str, Array
     for layer in LAYERS:
         area = largest_areas(required, layer)[0]
         provided = np.zeros(len(section)) if laid is None else laid[layer]
-        for number, own_area in np.unique(np.column_stack([section, provided]), axis=0):
+        for number, own_area in _pairs(section, provided):
             nodes = np.flatnonzero((section == number) & (provided == own_area))
             shares = [_share(plate, nodes[flags[nodes]]) for flags in (np.isinf(area), linked)]
             needs = []
@@ -150,6 +150,13 @@ def _governing(combined: Results, steel: Reinforcement, laid: Mapping[str, Array
             worst = max(needs, key=lambda need: (need.area, abs(need.moment or 0.0)))
             rows.append(worst if laid is None else replace(worst, laid=float(own_area)))
     return rows
+
+
+def _pairs(section: Integers, provided: Array) -> list[tuple[float, float]]:
+    """Return the pairs of section (n,) and area (n,) [m2/m] that there are at nodes, in ascending order."""
+    areas, which = np.unique(provided, return_inverse=True)
+    pairs = np.unique(section * len(areas) + which.reshape(-1))
+    return [(float(pair // len(areas)), float(areas[int(pair % len(areas))])) for pair in pairs]
 
 
 _OTHER = {"bottom_x": "top_x", "bottom_y": "top_y", "top_x": "bottom_x", "top_y": "bottom_y"}

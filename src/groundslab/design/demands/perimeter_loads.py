@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, NamedTuple, TypeVar
 
 import numpy as np
 
-from groundslab.arrays import Array, Integers
+from groundslab.arrays import Array, Integers, made_once
 from groundslab.design.demands.loads import column_loads
 from groundslab.design.demands.loads.building_loads import BUILDING
 from groundslab.design.demands.loads.edge_lengths import edge_inside
@@ -232,10 +232,25 @@ def footprint_of(column: Column) -> Footprint:
 
 def thickness_at(results: CombinationResult, footprint: Footprint) -> float:
     """Return the plate's least thickness under a footprint [m]."""
-    mesh, part = Mesh(results.plate.nodes, results.plate.elements), footprint.footprint()
+    plate, thickness = results.plate, results.elements.thickness
+    known = _thicknesses(thickness, plate.nodes, plate.elements)
+    if footprint not in known:
+        known[footprint] = _thickness_at(Mesh(plate.nodes, plate.elements), thickness, footprint)
+    return known[footprint]
+
+
+@made_once
+def _thicknesses(thickness: Array, nodes: Array, elements: Integers) -> dict[Footprint, float]:  # noqa: ARG001
+    """Return the least thickness [m] under footprints on a mesh, as they are added."""
+    return {}
+
+
+def _thickness_at(mesh: Mesh, thickness: Array, footprint: Footprint) -> float:
+    """Return the least of the elements' thicknesses (m,) [m] under a footprint."""
+    part = footprint.footprint()
     elements = load_vectors.find_elements_near(mesh, part)
     covered = load_vectors.areas_within(mesh, elements, part)
-    return float(results.elements.thickness[elements[covered > 1e-9 * covered.max()]].min())
+    return float(thickness[elements[covered > 1e-9 * covered.max()]].min())
 
 
 def effective_depth(results: CombinationResult, footprint: Footprint, steel: Reinforcement) -> float:

@@ -54,8 +54,8 @@ def write_bars(of: Model | Results | CombinationResult, path: str | Path, *, pap
         File to write: .dxf (in meters, on the layers OUTLINE, OPENINGS, COLUMNS, BAR_ZONES, BARS_BOTTOM_X, and so on,
         BARS_EDGES, LINKS, LABELS and TABLE), .svg, .pdf or .png; .csv or .xlsx for the bending schedule; .abs for
         records of BVBS, which machines that bend bars read; .ifc for a building model of the bars one by one. None of
-        these has welded meshes, and the building model no links but those against punching. An existing file is
-        replaced only if groundslab wrote it, or if it has records of BVBS alone.
+        these has welded meshes, and the building model no links against one-way shear: `left_out_of_bars` says
+        so. An existing file is replaced only if groundslab wrote it, or if it has records of BVBS alone.
     paper : str, optional
         "a1", "a2" or "a3": draw sheets, into a file that ends with .pdf or .dxf.
 
@@ -118,6 +118,31 @@ def _write_list(model: Model, links: Sequence[LinkLayout], path: str | Path, tar
     return Path(path)
 
 
+def left_out_of_bars(of: Model | Results | CombinationResult, path: str | Path) -> tuple[str, ...]:
+    """Return what a file of bars does not hold, or in another way than the case does, as the command says it.
+
+    Parameters
+    ----------
+    of : Model, Results or CombinationResult
+        What is given to `write_bars`.
+    path : str or pathlib.Path
+        The file that it writes; what it holds follows from what its name ends with. It is not read.
+
+    Returns
+    -------
+    tuple of str
+        Of drawings nothing: what they lack is written on them.
+
+    Examples
+    --------
+    >>> import groundslab
+    >>> model = groundslab.load("case.toml")
+    >>> for words in groundslab.left_out_of_bars(model, groundslab.write_bars(model, "bars.csv")):
+    ...     print(words)
+    """
+    return tuple(left_out(of, path))
+
+
 def left_out(of: Model | Results | CombinationResult, path: str | Path) -> list[str]:
     """Return what of the bars a schedule, records or a building model do not have, or not as it is, in words."""
     model = of if isinstance(of, Model) else of.model
@@ -135,8 +160,8 @@ def left_out(of: Model | Results | CombinationResult, path: str | Path) -> list[
         left.append("welded meshes are not in it: how they are cut into sheets is not known here")
     if ending == RECORDS and any(links.kind == "studs" for links in steel.links):
         left.append("studs are not in it: they are not bent")
-    if ending == BUILDING and (steel.beam_links or steel.shear_links):
-        left.append("links of beams and against one-way shear are not in it: they do not stand one by one here")
+    if ending == BUILDING and steel.shear_links:
+        left.append("links against one-way shear are not in it: they do not stand one by one here")
     if isinstance(of, CombinationResult):
         left.append("links against punching are not in it: they follow from all combinations")
     return left

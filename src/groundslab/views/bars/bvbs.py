@@ -13,7 +13,7 @@ import unicodedata
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from groundslab.design.bars.bending import STUD, BentBar, bent_bars
+from groundslab.design.bars.bending import STUD, BentBar, bent_bars, grade_of
 
 if TYPE_CHECKING:
     from groundslab.design.rules.punching_links.layout import LinkLayout
@@ -65,7 +65,7 @@ def _record(model: Model, bar: BentBar) -> str:
         "n": f"{bar.number}",
         "e": f"{bar.one_mass:.3f}",
         "d": f"{bar.diameter * 1e3:g}",
-        "g": steel.steel or f"{(steel.f_yk or 0.0) / 1e6:g}",
+        "g": _plain(grade_of(steel)),
         "s": "" if bar.mandrel is None else f"{bar.mandrel * 1e3:g}",
         "v": "",  # reserved
     }

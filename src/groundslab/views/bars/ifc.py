@@ -12,7 +12,7 @@ import numpy as np
 
 from groundslab._version import __version__
 from groundslab.arrays import Array
-from groundslab.design.bars.bending import LEG, STUD, BentBar
+from groundslab.design.bars.bending import LEG, STUD, BentBar, grade_of
 from groundslab.design.bars.placed import PlacedBar
 from groundslab.design.bars.positions import U_SHAPE
 from groundslab.optional import import_optional
@@ -120,11 +120,11 @@ class _Writer:
             Description=bar.layer,
             ObjectPlacement=self.placement(start.tolist()),
             Representation=self.shape(bar, placed.corners - start),
-            SteelGrade=None if self.steel is None else self.steel.steel or f"{(self.steel.f_yk or 0.0) / 1e6:g}",
+            SteelGrade=None if self.steel is None else grade_of(self.steel),
             NominalDiameter=bar.diameter,
             CrossSectionArea=math.pi * bar.diameter**2 / 4,
             BarLength=bar.length,
-            PredefinedType=ROLES.get(bar.shape, "MAIN"),
+            PredefinedType="LIGATURE" if placed.of_beam else ROLES.get(bar.shape, "MAIN"),
             BarSurface="TEXTURED",
         )
 

@@ -6,6 +6,7 @@ The plan of the bottom face lies where the case has it, that of the top face bes
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -13,7 +14,7 @@ from groundslab.arrays import Array
 from groundslab.design.bars.bar_layout import BarSet, bar_sets
 from groundslab.design.bars.bending import marked_further_links, marked_links
 from groundslab.design.bars.further_links import LaidLinks
-from groundslab.design.bars.positions import U_SHAPE, Position, inside_of, positions
+from groundslab.design.bars.positions import U_SHAPE, Position, cut_bars, inside_of, positions
 from groundslab.design.rules.punching_links.layout import LinkLayout
 from groundslab.messages import Label, Message, Name
 from groundslab.model.model import Model
@@ -117,7 +118,14 @@ def face_bars(model: Model, face: str, h: float, listed: Sequence[Position]) -> 
     for bar_set in sets:
         of_set = [bar for bar in listed if (bar.layer, bar.zone) == (bar_set.layer, bar_set.zone)]
         place = PLACES[min(turn[bar_set.zone], 1 + (turn[bar_set.zone] - 1) % (len(PLACES) - 1))]
-        yield from _bar_set(bar_set, place, h, label_of(of_set, model.units))
+        yield from _bar_set(_as_laid(model, bar_set), place, h, label_of(of_set, model.units))
+
+
+def _as_laid(model: Model, bar_set: BarSet) -> BarSet:
+    """Return a set with the ends of its bars where they are laid, covers taken off."""
+    assert model.reinforcement is not None
+    ends = [bar.ends for bar in cut_bars(model, model.reinforcement, bar_set)]
+    return replace(bar_set, ends=np.reshape(ends, (-1, 2, 2)))
 
 
 def _bar_set(bar_set: BarSet, place: tuple[float, float], h: float, label: str) -> Iterator[Shape]:
@@ -126,7 +134,7 @@ def _bar_set(bar_set: BarSet, place: tuple[float, float], h: float, label: str) 
         return
     layer = f"BARS_{bar_set.layer.upper()}"
     axis = bar_set.axis
-    bar = shown_bar(bar_set, place[0])
+    bar = bar_set.ends[shown_bar(bar_set, place[0])]
     yield Line(layer, bar)
     crossing = bar[0] + place[1] * (bar[1] - bar[0])
     across = line_across(bar_set, crossing)
@@ -186,12 +194,12 @@ def _edge_bars(model: Model, position: Position, h: float) -> Iterator[Shape]:
             )
 
 
-def shown_bar(bar_set: BarSet, part: float) -> Array:
-    """Return the ends (2, 2) of the bar of a set that is drawn: of the long ones that nearest to a part of all."""
+def shown_bar(bar_set: BarSet, part: float) -> int:
+    """Return the number of the bar of a set that is drawn: of the long ones that nearest to a part of all."""
     across = bar_set.ends[:, 0, 1 - bar_set.axis]
     long = np.flatnonzero(bar_set.lengths >= LONG * bar_set.lengths.max())
     wanted = across.min() + part * np.ptp(across)
-    return np.asarray(bar_set.ends[long[np.argmin(np.abs(across[long] - wanted))]])
+    return int(long[np.argmin(np.abs(across[long] - wanted))])
 
 
 def line_across(bar_set: BarSet, place: Array) -> Array:

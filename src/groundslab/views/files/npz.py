@@ -49,6 +49,9 @@ FORMAT = 12
 LONGEST_REASON = 300
 #: Arrays that all states have in common.
 MESH = {"nodes", "elements"}
+#: Arrays that combinations of a folder, and their coarser meshes, mostly have in common: what follows is made once.
+ALIKE = {f"{part}.{name}" for part in ("plate", "ground") for name in MESH} | {"elements.thickness", "elements.section"}
+COARSER = "coarser."
 #: Where the cells stand through which a plate presses on an elastic continuum.
 CELLS = "ground.cells"
 #: Nodal fields of a comparison itself.
@@ -135,10 +138,10 @@ def write(results: CombinationResult, path: Path) -> None:
         arrays |= _named_arrays(name, getattr(results, name))
     other = results.comparison
     if other is not None:
-        arrays |= _arrays("coarser.", other)
-        arrays |= {f"coarser.{name}": field for name in REDUCTIONS if (field := getattr(other, name)) is not None}
+        arrays |= _arrays(COARSER, other)
+        arrays |= {f"{COARSER}{name}": field for name in REDUCTIONS if (field := getattr(other, name)) is not None}
         for name in NAMED:
-            arrays |= _named_arrays(f"coarser.{name}", getattr(other, name))
+            arrays |= _named_arrays(f"{COARSER}{name}", getattr(other, name))
     about = _About(
         format=FORMAT,
         version=__version__,
@@ -249,11 +252,12 @@ def _results(arrays: dict[str, Any], alike: CombinationResult | None, path: Path
     about = _read_about(str(arrays["about"]), path)
     if alike is not None:
         shared = _arrays("", alike)
-        arrays |= {
-            name: shared[name]
-            for name in arrays.keys() & {f"{part}.{name}" for part in ("plate", "ground") for name in MESH}
-            if np.array_equal(shared[name], arrays[name])
-        }
+        arrays |= {name: shared[name] for name in arrays.keys() & ALIKE if np.array_equal(shared[name], arrays[name])}
+    arrays |= {
+        f"{COARSER}{name}": arrays[name]
+        for name in ALIKE
+        if (coarser := arrays.get(f"{COARSER}{name}")) is not None and np.array_equal(coarser, arrays[name])
+    }
     results = CombinationResult(
         model=_read_model(str(arrays["model"])),
         solved_model=_read_model(str(arrays["solved_model" if "solved_model" in arrays else "model"])),
@@ -282,13 +286,13 @@ def _comparison(about: _About, arrays: dict[str, Any]) -> Comparison:
     assert about.comparison is not None
     energy_error, reduction, constants = about.comparison
     return Comparison(
-        **_parts("coarser.", arrays),
-        **_all_named("coarser.", about, arrays),
+        **_parts(COARSER, arrays),
+        **_all_named(COARSER, about, arrays),
         constants=constants,
         energy_error=energy_error,
         reduction=reduction,
-        moment_reduction=arrays.get("coarser.moment_reduction"),
-        shear_reduction=arrays.get("coarser.shear_reduction"),
+        moment_reduction=arrays.get(f"{COARSER}moment_reduction"),
+        shear_reduction=arrays.get(f"{COARSER}shear_reduction"),
     )
 
 

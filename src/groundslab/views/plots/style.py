@@ -90,12 +90,26 @@ def apply_style(changes: Mapping[str, Any] = MappingProxyType({})) -> Iterator[N
     import matplotlib
 
     with matplotlib.rc_context(), warnings.catch_warnings():
-        matplotlib.rcdefaults()
         shared: Any = matplotlib.rcParams
-        shared.update(RC | dict(changes))
+        # they were checked once, which takes longer than to draw
+        dict.update(shared, _settings())
+        shared.update(dict(changes))
         # letters that the font lacks are shown as boxes, or as themselves where text stays text
         warnings.filterwarnings("ignore", message=".*missing from font")
         yield
+
+
+@cache
+def _settings() -> dict[str, Any]:
+    """Return Matplotlib's own settings with those of this style, checked."""
+    import matplotlib
+
+    with matplotlib.rc_context():
+        matplotlib.rcdefaults()
+        shared: Any = matplotlib.rcParams
+        shared.update(RC)
+        # what shows figures on a screen is not ours to choose
+        return {name: dict.__getitem__(shared, name) for name in shared if name != "backend"}
 
 
 def plain_text(text: str, width: int = 200, lines: int = 1) -> str:

@@ -45,7 +45,7 @@ from groundslab.views.summary import combinations, sections
 from groundslab.views.summary.discretization import coarse_words, is_unknown, provisional_words
 from groundslab.views.summary.rows import SummarySection
 from groundslab.views.summary.terminal import between_text, error_text, shown_row, step_texts
-from groundslab.views.tables.result_tables import table_makers, tables_of
+from groundslab.views.tables.result_tables import table_makers
 from groundslab.views.translation import translator_of
 
 if TYPE_CHECKING:
@@ -203,7 +203,8 @@ def _chapters(
     solved = [entry.results for entry in entries if entry.results is not None]
     governing = drawings.find_governing(combined).get("settlement", "")
     leading = combined.results.get(governing) or (solved[0] if solved else None)
-    tables = cache(lambda: tables_of(combined))
+    makers = table_makers(combined)
+    made = cache(lambda name: makers[name]())
     translate, beside = translator_of(combined), 3 if short else 2
     return {
         "extremes": lambda: (
@@ -222,11 +223,11 @@ def _chapters(
             Paragraph(IN_TEXT),
             *(
                 _table_part(table, in_appendix)
-                for table in (shorten_tables(tables()) if short else tables())
+                for table in (shorten_tables(makers, made) if short else map(made, makers))
                 if table.name != "calculations"
             ),
         ),
-        "calculations": lambda: _calculations(combined, tables(), short=short),
+        "calculations": lambda: _calculations(combined, made("calculations"), short=short),
         "viewer": lambda: (Viewer(),),
         "case": lambda: _case(combined, source, list_sections(combined) if solved else ()),
         "certificate": lambda: list_certificates(combined, entries),
@@ -234,7 +235,7 @@ def _chapters(
         "long_tables": lambda: (
             [
                 Part(table.title, _whole(table), f"whole-{table.name}")
-                for table in tables()
+                for table in map(made, makers)
                 if table_layout.is_long(table)
             ]
             or [Paragraph("There are none.")]
@@ -253,15 +254,13 @@ def _assumptions(combined: Results, *, short: bool) -> Iterator[Block]:
         yield Bullets(said)
 
 
-def _calculations(combined: Results, tables: Sequence[Table], *, short: bool) -> Iterator[Block]:
+def _calculations(combined: Results, table: Table, *, short: bool) -> Iterator[Block]:
     """Yield the notes on calculations, and a sheet for each, in short for one of each kind."""
-    for table in tables:
-        if table.name == "calculations":
-            yield from map(Paragraph, table.notes)
-            sheets = draw_sheets(combined, table)
-            if any(sheet.pieces for sheet in sheets):
-                yield Paragraph(PIECES)
-            yield from governing_sheets(sheets, check_design(combined).checks) if short else sheets
+    yield from map(Paragraph, table.notes)
+    sheets = draw_sheets(combined, table)
+    if any(sheet.pieces for sheet in sheets):
+        yield Paragraph(PIECES)
+    yield from governing_sheets(sheets, check_design(combined).checks) if short else sheets
 
 
 def _pictures(combined: Results, beside: int, beams: int) -> Iterator[Block]:

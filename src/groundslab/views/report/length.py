@@ -12,7 +12,7 @@ from groundslab.views.report.document import Part
 from groundslab.views.report.table_layout import drop_empty_columns
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Sequence
+    from collections.abc import Callable, Collection, Iterator, Sequence
 
     from groundslab.design.rules.check import DesignCheck
     from groundslab.model.outputs import Chapter
@@ -36,15 +36,15 @@ GIVEN = ("plate", "ground", "reinforcement", "soil_strength")
 _LAYER = re.compile(" at the (bottom|top) [xy]$")
 
 
-def shorten_tables(tables: Sequence[Table]) -> Iterator[Table]:
+def shorten_tables(names: Collection[str], make: Callable[[str], Table]) -> Iterator[Table]:
     """Yield the tables of a short report in its order, of extremes of columns the ultimate rows alone.
 
-    Of those that are too long for the text it says where they are, as the full one does.
+    Of those that are too long for the text it says where they are, as the full one does. Of the names that there are
+    only these are made.
     """
-    by_name = {table.name: table for table in tables}
     for name in TABLES:
-        if name in by_name:
-            yield _ultimate_rows(by_name[name]) if name == "column_envelope" else by_name[name]
+        if name in names:
+            yield _ultimate_rows(make(name)) if name == "column_envelope" else make(name)
 
 
 def _ultimate_rows(table: Table) -> Table:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from groundslab.design.bars.bending import LINKS, marked_further_links, marked_links
+from groundslab.design.bars.bending import LINKS, BentBar, bent_links, marked_further_links, marked_links
 from groundslab.design.bars.further_links import LaidLinks
 from groundslab.design.bars.positions import MOST_LENGTHS, Position, positions
 from groundslab.design.rules.punching_links.layout import LinkLayout
@@ -15,8 +15,8 @@ from groundslab.views.tables.table import Cell, Table, table_of
 
 MM = 1e3
 #: What a reader must know of links.
-LINKS_NOTE = "Links are those of the table shear_reinforcement: proposed, vertical legs without hooks."
-FURTHER_NOTE = "Links of beams are closed, with their inner legs; of them and of legs in the slab hooks are not in it."
+LINKS_NOTE = "Links are those of the table shear_reinforcement, here with the hooks that the bending schedule has."
+FURTHER_NOTE = "Links of beams are closed, with their inner legs and hooks; legs in the slab have hooks too."
 
 
 def bars(model: Model, links: Sequence[LinkLayout] = ()) -> Table:
@@ -29,9 +29,11 @@ def bars(model: Model, links: Sequence[LinkLayout] = ()) -> Table:
     area = PlateRegion(model.plate, model.plates).area.area
     listed = positions(model)
     rows = [_row(position, area) for position in listed]
-    rows += [_link_row(layout, mark, area) for mark, layout in marked_links(links, listed).items()]
-    further = marked_further_links(model, links, listed)
-    rows += [_further_row(laid, mark, area) for mark, laid in further.items()]
+    bent, further = bent_links(model, links, listed), marked_further_links(model, links, listed)
+    for mark, layout in marked_links(links, listed).items():
+        rows.append([mark, LINKS, layout.where, None, "leg", *_of_links(layout, None, bent[mark], area)])
+    for mark, laid in further.items():
+        rows.append([mark, LINKS, laid.name, None, laid.shape, *_of_links(laid, laid.spacing, bent[mark], area)])
     if rows:
         number, length, mass, share = (sum(float(row[i] or 0) for row in rows) for i in (7, 11, 12, 13))
         rows.append([None, "all layers", *[None] * 5, round(number), None, None, None, length, mass, share])
@@ -62,20 +64,12 @@ def bars(model: Model, links: Sequence[LinkLayout] = ()) -> Table:
     return table_of("bars", "Bars provided", heads, rows, notes)
 
 
-def _further_row(laid: LaidLinks, mark: int, area: float) -> list[Cell]:
-    """Return the row of the links of one beam, or of one part of the slab."""
-    return [
-        mark, LINKS, laid.name, None, laid.shape, laid.diameter * MM, laid.spacing * MM, laid.number,
-        laid.length, laid.length, None, laid.total, laid.mass, laid.mass / area,
-    ]  # fmt: skip
-
-
-def _link_row(layout: LinkLayout, mark: int, area: float) -> list[Cell]:
-    """Return the row of the links around one column, pile or end of a wall."""
-    return [
-        mark, LINKS, layout.where, None, "leg", layout.diameter * MM, None, layout.number,
-        layout.leg, layout.leg, None, layout.total, layout.mass, layout.mass / area,
-    ]  # fmt: skip
+def _of_links(links: LaidLinks | LinkLayout, spacing: float | None, bent: Sequence[BentBar], area: float) -> list[Cell]:
+    """Return the row of links from their diameter on, by what they are bent to; inner legs belong to their link."""
+    total, mass = (sum(getattr(bar, of) for bar in bent) for of in ("total", "mass"))
+    length = total / links.number
+    apart = None if spacing is None else spacing * MM
+    return [links.diameter * MM, apart, links.number, length, length, None, total, mass, mass / area]
 
 
 def _row(position: Position, area: float) -> list[Cell]:

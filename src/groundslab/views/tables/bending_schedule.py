@@ -14,6 +14,15 @@ from groundslab.views.tables.table import Cell, Head, Table, table_of
 
 NAME, TITLE = "bending_schedule", "Bending schedule"
 MM = 1e3
+#: How bars are measured, by units.
+MEASURED = {
+    "SI": "Lengths to the millimeter, the sum of the outer sides: bends take nothing off, and hooks end at the outer "
+    "tangent of their bend. Of U-shaped bars a and c are the legs, of closed links a is across and b upright. "
+    "Steel of 7850 kg/m3 (EN 1992-1-1 3.2.7(3)).",
+    "US": "Straight bars to the inch, sides of bent ones and their hooks to a quarter of an inch; lengths are the sum "
+    "of the outer sides: bends take nothing off, and hooks end at the outer tangent of their bend. Of U-shaped bars a "
+    "and c are the legs, of closed links a is across and b upright. Steel of 7850 kg/m3 (EN 1992-1-1 3.2.7(3)).",
+}
 #: What bars are where a case says nothing of laps and edges.
 NO_DETAILING = "Without reinforcement.detailing there are no laps in it, no bars around edges, and bars end at edges."
 #: What rows of sums say where others have a layer.
@@ -61,11 +70,7 @@ def _sum(bars: Sequence[BentBar], diameter: float | None) -> list[Cell]:
 
 def _notes(model: Model, listed: Sequence[BentBar]) -> Iterator[str]:
     """Yield what a reader must know."""
-    yield (
-        "Lengths to the millimeter, the sum of the outer sides: bends take nothing off, and hooks end at the outer "
-        "tangent of their bend. Of U-shaped bars a and c are the legs, of closed links a is across and b upright. "
-        "Steel of 7850 kg/m3 (EN 1992-1-1 3.2.7(3))."
-    )
+    yield MEASURED[model.units]
     steel = model.reinforcement
     if steel is None or not steel.laid:
         return

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from groundslab.design.bars.bending import BentBar, bent_bars
+from groundslab.design.bars.bending import BentBar, bent_bars, grade_of
 from groundslab.design.bars.positions import positions
 from groundslab.design.codes.aci318 import detailing as aci318
 from groundslab.design.codes.en1992_2004 import detailing as en1992
@@ -101,3 +101,31 @@ def test_bars_are_those_of_the_positions() -> None:
         assert sum(bar.total for bar in own) == pytest.approx(position.total, abs=5e-4 * len(position.lengths))
         if position.shape == "U":
             assert {(bar.bends, bar.sides[0] == bar.sides[2]) for bar in own} == {((90, 90), True)}
+
+
+def test_bars_are_cut_to_inches_where_these_are_the_units() -> None:
+    """A slab of 44 ft by 24 ft 1/4 in has bars of 44 ft and of 24 ft; hooks and sides are whole quarters of an inch."""
+    slab = model_of(code="ACI 318", f_yk=60 * 6.894757e6)
+    plate = slab.plate.model_copy(update={"length_x": 44 * 0.3048, "length_y": (24 * 12 + 0.25) * 0.0254})
+    slab = slab.replace(plate=plate, project={"units": "US"})
+    lengths = {round(bar.length / 0.0254, 9) for bar in bent_bars(slab)}
+    assert lengths == {44 * 12, 24 * 12}
+    detailed = slab.replace(reinforcement=slab.reinforcement.replace(detailing={"bar_length": 18.0}))  # type: ignore[union-attr]
+    around = [bar for bar in bent_bars(detailed) if bar.shape == "U"]
+    quarters = np.array([side for bar in around for side in bar.sides]) / (0.0254 / 4)
+    assert len(around)
+    assert quarters == pytest.approx(np.rint(quarters), abs=1e-9)
+    row = LinkPerimeter(0.15, 1.2, 1e-4, 1.01e-4, 0.6, 0.7, np.zeros((3, 2)))
+    leg = bent_bars(slab, [LinkLayout("column", "C", (0.0, 0.0), "ULS", "by hand", 0.0127, 0.2032, (row,))])[-1]
+    # #4: 3 in, half of the mandrel of 4 d, and d: 4.5 in; between covers 8 in
+    assert leg.legs == pytest.approx((4.5 * 0.0254, 8 * 0.0254, 4.5 * 0.0254))
+
+
+def test_grades_by_their_names() -> None:
+    """Grade 60 of ASTM A615 is 60 ksi, or 420 MPa by its metric sister; by EN 1992-1-1 a class, or f_yk in MPa."""
+    ksi = 6.894757293168e6
+    for strength, name in ((60 * ksi, "Grade 60"), (420e6, "Grade 60"), (80 * ksi, "Grade 80"), (500e6, "500")):
+        slab = model_of(code="ACI 318", f_yk=strength)
+        assert slab.reinforcement is not None
+        assert grade_of(slab.reinforcement) == name
+    assert grade_of(model_of(f_yk=500e6).reinforcement) == "500"  # type: ignore[arg-type]

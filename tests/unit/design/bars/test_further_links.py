@@ -42,11 +42,23 @@ def test_lengths_follow_the_thickness_there() -> None:
 
 
 def test_table_and_drawing_have_them() -> None:
-    """Each with the same mark; the sum has their mass."""
+    """Each with the same mark; the sum has their mass with the hooks of Figure 8.5.
+
+    Those are 5 d or 50 mm at 135 degrees, 10 d or 70 mm at 90, each with half of the mandrel of 4 d and the bar itself:
+    96 and 156 mm of 12 mm, 80 mm of 10 mm, 74 and 104 mm of 8 mm. Of four legs two are single ones.
+    """
     of = model(**LINKS)
     table, without = bars(of), bars(model())
     assert list(table["zone"])[-4:-1] == ["east", "S", "R"]
-    more = sum(links.mass for links in further_links(of))
+    lengths = {
+        0.008: 40 * (0.074 + 0.5 + 0.104),
+        0.010: 9 * (2 * 0.3 + 2 * 1.0 + 2 * 0.08),
+        0.012: 41 * (2 * 0.9 + 2 * 0.5 + 2 * 0.096) + 82 * (0.096 + 0.5 + 0.156),
+    }
+    more = sum(7850 * math.pi / 4 * diameter**2 * length for diameter, length in lengths.items())
+    assert list(table["mass"])[-4:-1] == pytest.approx(
+        [7850 * math.pi / 4 * size**2 * lengths[size] for size in (0.008, 0.012, 0.010)]
+    )
     assert float(table["mass"][-1]) == pytest.approx(float(without["mass"][-1]) + more)
     labels = [str(shape.words) for shape in draw(of) if isinstance(shape, Text) and shape.layer == "LINKS"]
     marks = [f"({mark})" for mark in list(table["mark"])[-4:-1]]

@@ -132,6 +132,35 @@ def test_legs_have_hooks_at_both_ends(tmp_path: Path) -> None:
     assert (low[2], high[2]) == pytest.approx((-0.3 + 0.046, -0.046), abs=2e-3)
 
 
+def test_links_of_beams_stand_along_them(tmp_path: Path) -> None:
+    """Of a strip of 1 m by 0.6 m and of a rib 0.4 m wide that ends 1.1 m deep, covers of 50 mm all around.
+
+    Links of 12 mm every 200 mm from the start of the strip on, two of four legs inner ones; of 10 mm every 250 mm in
+    the rib, from 1 m to 3 m of its way. Hooks of 135 degrees turn inward, so that the box is that of the outer sides.
+    """
+    slab = linked(**{**LINKS, "shear_links": []})
+    file = ifcopenshell.open(groundslab.write_bars(slab, tmp_path / "bars.ifc"))
+    links = [bar for bar in file.by_type("IfcReinforcingBar") if bar.PredefinedType == "LIGATURE"]
+    strip, inner, rib = ([bar for bar in links if bar.BarLength == pytest.approx(length)] for length in (
+        2 * 0.9 + 2 * 0.5 + 2 * 0.096, 0.096 + 0.5 + 0.156, 2 * 0.3 + 2 * 1.0 + 2 * 0.08))  # fmt: skip
+    assert (len(links), len(strip), len(inner), len(rib)) == (41 + 82 + 9, 41, 82, 9)
+    (x0, y0, z0), (x1, y1, z1) = box_of(strip[1])
+    assert (x0, x1) == pytest.approx((-4 + 0.2 - 0.006, -4 + 0.2 + 0.012 + 0.006), abs=1e-3)
+    assert (y0, y1) == pytest.approx((-0.45, 0.45), abs=2e-3)
+    assert (z0, z1) == pytest.approx((-0.55, -0.05), abs=2e-3)
+    (x0, y0, z0), (x1, y1, z1) = box_of(rib[-1])
+    assert (x0, y0, y1) == pytest.approx((-1.005, -0.15, 0.15), abs=2e-3)
+    assert (z0, z1) == pytest.approx((-1.05, -0.05), abs=2e-3)
+    middles = [np.mean(box_of(bar)[:, 1]) for bar in inner[:2]]
+    assert middles == pytest.approx([-0.888 / 6, 0.888 / 6], abs=1e-3)
+    assert box_of(inner[0])[:, 2] == pytest.approx([-0.55, -0.05], abs=2e-3)
+    assert left_out(slab, "bars.ifc") == [NO_DETAILING]
+    validate = pytest.importorskip("ifcopenshell.validate")
+    logger = validate.json_logger()
+    validate.validate(file, logger)
+    assert logger.statements == []
+
+
 def test_arcs_of_a_right_angle() -> None:
     """Tangents are as long as the radius; the middle of the arc is on the bisector."""
     points, segments = axis_points(np.array([[1.0, 0.0, 0.0], [0.0, 0.0, 0.0], [0.0, 0.0, 1.0]]), 0.1)

@@ -24,7 +24,7 @@ from groundslab.views.drawing.sheets.draw import LAYERS, TITLES, draw_sheets
 from groundslab.views.drawing.sheets.paper import PAPERS, Margins, Sheet, choose_scale
 from groundslab.views.drawing.sheets.placing import box_of
 from groundslab.views.files import results_folder
-from helpers import synthetic
+from helpers import linked_slab, synthetic
 from helpers.laid_slab import model_of
 
 COLUMNS = [{"name": name, "x": x, "y": y, "width_x": 0.4, "width_y": 0.4} for name, x, y in (
@@ -148,21 +148,57 @@ def test_pieces_that_lap_are_drawn_and_said() -> None:
     lines = [line for line in of_layer(sheet, "BARS_BOTTOM_X") if np.ptp(line.points[:, 1]) < 1e-9]
     ends = np.array([line.points[:, 0] for line in lines])
     assert len({round(float(line.points[0, 1]), 6) for line in lines}) == 2
-    assert np.ptp(ends) == pytest.approx(9.6 * sheet.per_meter)
+    assert np.ptp(ends) == pytest.approx(9.52 * sheet.per_meter)
     assert base.lap is not None
     assert f"lap {base.lap:.2f} m" in [text.words for text in texts_of(sheet)]
+
+
+def test_sheets_in_customary_units() -> None:
+    """A slab of 31 ft 6 in by 23 ft 7 1/2 in: feet and inches, and inches of paper for a foot, 1/4 in at 1 : 48."""
+    of = slab(zones=[])
+    plate = of.plate.model_copy(update={"length_x": 31.5 * 0.3048, "length_y": (23 * 12 + 7.5) * 0.0254})
+    project = {"name": "Office", "units": "US"}
+    sheet = draw_sheets(of.replace(plate=plate, project=project), (), "a2")[0]
+    words = {text.words for text in texts_of(sheet)}
+    assert {"31'-6\"", "23'-7 1/2\""} <= words
+    assert {24: '1/2" = 1\'-0"', 32: '3/8" = 1\'-0"', 48: '1/4" = 1\'-0"'}[sheet.scale] in words
+    (outline,) = of_layer(sheet, "OUTLINE")
+    assert np.ptp(outline.points[:, 0]) == pytest.approx(31.5 * 304.8 / sheet.scale)
+    inch = 0.0254
+    assert [written(length * inch, "US") for length in (11.97, 0.125, 150)] == ["1'-0\"", "0'-0 1/8\"", "12'-6\""]
+
+
+def test_wires_of_meshes_are_listed() -> None:
+    """Q335A on both faces: 7.2 m / 150 mm wires of 9.6 m along x, 9.6 m / 150 mm of 7.2 m along y, of 8 mm."""
+    meshes: dict[str, Any] = dict.fromkeys(("bottom_x", "bottom_y", "top_x", "top_y"))
+    of = slab(zones=[], detailing=None, **meshes, bottom_mesh="Q335A", top_mesh="Q335A")
+    sheets = draw_sheets(of, (), "a2")
+    assert len(sheets) == 4
+    for sheet, number, length in zip(sheets, (48, 64, 48, 64), (9.6, 7.2, 9.6, 7.2), strict=True):
+        row = [text.words for text in texts_of(sheet) if text.layer == "TABLE"][6:12]
+        mass = number * length * np.pi * 0.008**2 / 4 * 7850
+        assert row[1:] == ["8", f"{number}", f"{length:.3f}", f"{number * length:.3f}", f"{mass:.1f}"]
+
+
+def test_links_of_beams_have_the_line_along_which_they_stand() -> None:
+    """A strip of 8 m has 41 links over 8 m; of the rib those from 1 m to 3 m of its way lie over 2 m of it."""
+    sheet = draw_sheets(linked_slab.model(**linked_slab.LINKS), (), "a3")[-1]
+    lines = [(line.points - sheet.origin) / sheet.per_meter for line in of_layer(sheet, "LINKS") if not line.closed]
+    flat = [line[:, 0].tolist() for line in lines if np.ptp(line[:, 1]) < 1e-9 and np.ptp(line[:, 0]) > 1.0]
+    assert flat == [pytest.approx([-4.0, 4.0]), pytest.approx([-3.0, -1.0])]
+    assert {"over 8.00 m", "over 2.00 m"} <= {text.words for text in texts_of(sheet)}
 
 
 def test_chains_of_dimensions() -> None:
     """Points that are alike are one; numbers that have no space stand higher; their sum is the whole."""
     assert points_of([0.0, 2.0, 2.0004, 5.0, 1.0]) == [0.0, 1.0, 2.0, 5.0]
     assert [written(length) for length in (2.0, 0.125, 12.3)] == ["2.00", "0.125", "12.30"]
-    assert levels_of([0.0, 0.05, 0.1, 5.0], 20.0, 1.0) == [0, 1, 0]
-    shapes = list(chain([-1.0, 0.5, 3.0], 0, 10.0, (100.0, 50.0), 20.0, 1.0, str))
+    assert levels_of([0.0, 0.05, 0.1, 5.0], 20.0, "SI") == [0, 1, 0]
+    shapes = list(chain([-1.0, 0.5, 3.0], 0, 10.0, (100.0, 50.0), 20.0, "SI", str))
     lines = [shape.points for shape in shapes if isinstance(shape, Line)]
     assert lines[0].tolist() == [[80.0, 10.0], [160.0, 10.0]]
     assert [shape.words for shape in shapes if isinstance(shape, Text)] == ["1.50", "2.50"]
-    upright = list(chain([-1.0, 0.5, 3.0], 1, 10.0, (100.0, 50.0), 20.0, 1.0, str))
+    upright = list(chain([-1.0, 0.5, 3.0], 1, 10.0, (100.0, 50.0), 20.0, "SI", str))
     assert isinstance(upright[0], Line)
     assert upright[0].points.tolist() == [[10.0, 30.0], [10.0, 110.0]]
 

@@ -291,9 +291,7 @@ def _worst(
 
 def _alike(places: Places, counts: Flags, least: float) -> Iterator[Flags]:
     """Yield those of the places that count (k,) which have about the same depth, too thin for links apart."""
-    classes = np.column_stack([np.round(np.log(places.d) / ALIKE), places.thickness < least])
-    _, kind = np.unique(classes, axis=0, return_inverse=True)
-    kind = kind.reshape(-1)
+    kind = 2 * np.round(np.log(places.d) / ALIKE) + (places.thickness < least)
     for number in np.unique(kind[counts]).tolist():
         yield counts & (kind == number)
 

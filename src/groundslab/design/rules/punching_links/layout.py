@@ -250,9 +250,23 @@ def _perimeter(row: LinkRow, parts: list[Array], diameter: float) -> LinkPerimet
 
 def _chains(legs: Array, inner: BaseGeometry) -> list[Array]:
     """Return the connected parts, each places (k, 2), of pieces (l, 2, 2) [m] within a region, the short ones not."""
-    from shapely import get_coordinates, get_parts, intersection, line_merge, linestrings, multilinestrings
+    from shapely import (
+        covers,
+        get_coordinates,
+        get_parts,
+        intersection,
+        line_merge,
+        linestrings,
+        multilinestrings,
+        prepare,
+    )
 
-    pieces = get_parts(intersection(linestrings(legs), inner))
+    lines = linestrings(legs)
+    prepare(inner)
+    # few lie in part within it, and only these take long to cut
+    cut = ~covers(inner, lines)
+    lines[cut] = intersection(lines[cut], inner)
+    pieces = get_parts(lines)
     pieces = [piece for piece in pieces if piece.geom_type == "LineString" and piece.length > 0]
     if not pieces:
         return []

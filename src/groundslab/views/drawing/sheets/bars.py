@@ -3,20 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from groundslab.arrays import Array
 from groundslab.design.bars.bar_layout import BarSet
-from groundslab.design.bars.positions import Position, cut
+from groundslab.design.bars.positions import CutBar, Position, cut_bars
 from groundslab.languages import Translator
 from groundslab.messages import Message, Name
 from groundslab.model.model import Model
-from groundslab.unit_systems import System, bars_at, unit_in
+from groundslab.unit_systems import System, bars_at
 from groundslab.views.drawing.bars import BROKEN, line_across, shown_bar
 from groundslab.views.drawing.shapes import Circle, Line, Shape, moved, rings, scaled
-from groundslab.views.drawing.sheets.dimensions import written
+from groundslab.views.drawing.sheets.dimensions import long_words, written
 from groundslab.views.drawing.sheets.marks import MARGIN, Label, interrupted, labels_of
 from groundslab.views.drawing.sheets.paper import Box, Sheet
 from groundslab.views.drawing.sheets.placing import Candidate, Taken, thin_box, turned
@@ -49,7 +50,7 @@ def draw_bars(
         first, last = of_set[0].mark, of_set[-1].mark
         marks = f"{first}" if first == last else f"{first}\N{EN DASH}{last}"
         labels = labels_of(f"BARS_{bar_set.layer.upper()}", marks, list(map(say, above)), list(map(say, below)))
-        sheet.shapes.extend(taken.place(list(_candidates(model, sheet, bar_set, of_set, labels))))
+        sheet.shapes.extend(taken.place(list(_candidates(model, sheet, bar_set, labels))))
 
 
 def _zone(region: BaseGeometry) -> Iterator[Line]:
@@ -61,31 +62,30 @@ def _zone(region: BaseGeometry) -> Iterator[Line]:
 
 def _words(bar_set: BarSet, of_set: Sequence[Position], units: System, say: Translator) -> tuple[list[str], list[str]]:
     """Return what the label of a set says above the bar and below it."""
-    unit, per_meter = unit_in("m", units)
     count = sum(len(bar.lengths) for bar in of_set)
     mesh = f"{bar_set.mesh}: " if bar_set.mesh else ""
-    shortest, longest = (written(find(float(find(bar.lengths)) for bar in of_set) * per_meter) for find in (min, max))
-    long = longest if shortest == longest else Message("{low} to {high}", low=shortest, high=longest)
-    below: list[str] = [Message("l = {long} {unit}", long=long, unit=unit)]
+    below = [long_words(np.concatenate([bar.lengths for bar in of_set]), units)]
     if of_set[0].lap is not None:
         below.append(Message("lap {lap:.2f m}", lap=of_set[0].lap).in_units(units))
     if bar_set.zone:
         x0, y0, x1, y1 = bar_set.region.bounds
-        sides = " \N{MULTIPLICATION SIGN} ".join(say(written(side * per_meter)) for side in (x1 - x0, y1 - y0))
+        sides = " \N{MULTIPLICATION SIGN} ".join(say(written(side, units)) for side in (x1 - x0, y1 - y0))
         below.append(Name(sides))
     return [Name(f"{mesh}{count} {bars_at(bar_set.bars.diameter, bar_set.bars.spacing, units)}")], below
 
 
-def _candidates(
-    model: Model, sheet: Sheet, bar_set: BarSet, of_set: Sequence[Position], labels: tuple[Label, Label]
-) -> Iterator[Candidate]:
+def _candidates(model: Model, sheet: Sheet, bar_set: BarSet, labels: tuple[Label, Label]) -> Iterator[Candidate]:
     """Yield where a set may be drawn: each bar that may stand for it, with its label and the line across anywhere."""
+    assert model.reinforcement is not None
     axis, layer = bar_set.axis, f"BARS_{bar_set.layer.upper()}"
+    bars_cut = cut_bars(model, model.reinforcement, bar_set)
+    laid = replace(bar_set, ends=np.array([bar.ends for bar in bars_cut]))
     for n, part in enumerate(BARS):
-        bar = shown_bar(bar_set, part)
+        cut_bar = bars_cut[shown_bar(laid, part)]
+        bar = cut_bar.ends
         ends = bar * sheet.per_meter + sheet.origin
-        pieces = _pieces(model, layer, ends, axis, of_set, sheet.per_meter)
-        across = [line_across(bar_set, bar[0] + share * (bar[1] - bar[0])) for share in ACROSS]
+        pieces = _pieces(layer, cut_bar, axis, sheet)
+        across = [line_across(laid, bar[0] + share * (bar[1] - bar[0])) for share in ACROSS]
         lines = [line * sheet.per_meter + sheet.origin for line in across]
         for k, (shown, start) in enumerate(_starts(float(ends[0, axis]), float(ends[1, axis]), labels)):
             put, box = put_label(shown, axis, start, float(ends[0, 1 - axis]))
@@ -136,23 +136,13 @@ def _leader(ends: Array, axis: int, low: float, high: float) -> tuple[Line, ...]
     return ()
 
 
-def _pieces(
-    model: Model, layer: str, ends: Array, axis: int, of_set: Sequence[Position], per_meter: float
-) -> tuple[Line, ...]:
-    """Return a bar between its ends on paper; pieces that lap lie beside each other there."""
-    steel, lap = model.reinforcement, of_set[0].lap
-    length = float(ends[1, axis] - ends[0, axis]) / per_meter
-    if steel is None or steel.detailing is None or lap is None or length <= steel.detailing.bar_length:
-        return (Line(layer, ends),)
-    count, piece_length = cut(length, steel.detailing.bar_length, lap)
-    pieces = []
-    for number in range(count):
-        points = np.tile(ends[0], (2, 1))
-        start = number * (piece_length - lap)
-        points[:, axis] += np.array([start, start + piece_length]) * per_meter
-        points[:, 1 - axis] += APART if number % 2 else -APART
-        pieces.append(Line(layer, points))
-    return tuple(pieces)
+def _pieces(layer: str, bar: CutBar, axis: int, sheet: Sheet) -> tuple[Line, ...]:
+    """Return the pieces of a bar on paper, those that lap beside each other."""
+    pieces = bar.pieces(axis) * sheet.per_meter + sheet.origin
+    if bar.parts > 1:
+        pieces[::2, :, 1 - axis] -= APART
+        pieces[1::2, :, 1 - axis] += APART
+    return tuple(Line(layer, piece) for piece in pieces)
 
 
 def _extent(layer: str, line: Array, bar: Array, axis: int) -> Iterator[Shape]:

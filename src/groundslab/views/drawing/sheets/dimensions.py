@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from fractions import Fraction
 from itertools import pairwise
 
 import numpy as np
 
+from groundslab.arrays import Array
 from groundslab.languages import Translator
+from groundslab.messages import Message
+from groundslab.unit_systems import INCH, System
 from groundslab.views.drawing.shapes import Line, Shape, Text
 from groundslab.views.drawing.sheets.paper import LETTERS
 from groundslab.views.drawing.sheets.placing import width_of
@@ -26,18 +30,40 @@ def points_of(values: Sequence[float]) -> list[float]:
     return [float(value) for value in ordered[apart]]
 
 
-def written(length: float) -> str:
-    """Return a length with two decimals, or three where it has so many."""
+def written(length: float, units: System = "SI") -> str:
+    """Return a length [m] in meters with two decimals, or three where it has so many, or in feet and inches.
+
+    Those are given to an eighth of an inch.
+
+    Examples
+    --------
+    >>> written(3.75), written(3.7592, "US"), written(0.1524, "US")
+    ('3.75', '12\'-4"', '0\'-6"')
+    """
+    if units == "US":
+        eighths = round(length / INCH * 8)
+        feet, eighths = divmod(eighths, 96)
+        inches, eighths = divmod(eighths, 8)
+        return f"{feet}'-{inches}{f' {Fraction(eighths, 8)}' if eighths else ''}\""
     text = f"{length:.3f}"
     return text[:-1] if text.endswith("0") else text
 
 
-def levels_of(points: Sequence[float], per_meter: float, per_unit: float) -> list[int]:
+def long_words(lengths: Sequence[float] | Array, units: System) -> str:
+    """Return how long bars of lengths (k,) [m] are, in words."""
+    low, high = (written(float(find(lengths)), units) for find in (np.min, np.max))
+    long = high if low == high else Message("{low} to {high}", low=low, high=high)
+    if units == "US":
+        return Message("l = {long}", long=long)
+    return Message("l = {long} {unit}", long=long, unit="m")
+
+
+def levels_of(points: Sequence[float], per_meter: float, units: System) -> list[int]:
     """Return on which level over the line each number stands, so that none covers another."""
     ends: list[float] = []  # of the last number on each level [mm]
     levels = []
     for low, high in pairwise(points):
-        half = width_of(written((high - low) * per_unit), LETTERS) / 2
+        half = width_of(written(high - low, units), LETTERS) / 2
         middle = (low + high) / 2 * per_meter
         level = next((n for n, end in enumerate(ends) if middle - half >= end), len(ends))
         ends[level : level + 1] = [middle + half + 1.0]
@@ -45,9 +71,9 @@ def levels_of(points: Sequence[float], per_meter: float, per_unit: float) -> lis
     return levels
 
 
-def depth_of(points: Sequence[float], per_meter: float, per_unit: float) -> float:
+def depth_of(points: Sequence[float], per_meter: float, units: System) -> float:
     """Return how much a chain needs across, with its numbers [mm]."""
-    return OVER + LEVEL * (1 + max(levels_of(points, per_meter, per_unit), default=0)) + TICK
+    return OVER + LEVEL * (1 + max(levels_of(points, per_meter, units), default=0)) + TICK
 
 
 def chain(
@@ -56,21 +82,21 @@ def chain(
     at: float,
     origin: tuple[float, float],
     per_meter: float,
-    per_unit: float,
+    units: System,
     say: Translator,
 ) -> Iterator[Shape]:
     """Yield a chain of dimensions between points [m] along an axis, its line at a place across [mm].
 
-    Numbers stand over the line, or at its left, in a unit of which a meter has so many.
+    Numbers stand over the line, or at its left.
     """
     places = [origin[axis] + point * per_meter for point in points]
     yield _line(axis, places[0], places[-1], at)
     for place in places:
         slash = TICK * np.array([[-1.0, -1.0], [1.0, 1.0]])
         yield Line(LAYER, _place(axis, place, at) + slash)
-    levels = levels_of(points, per_meter, per_unit)
+    levels = levels_of(points, per_meter, units)
     for (low, high), (start, end), level in zip(pairwise(places), pairwise(points), levels, strict=True):
-        words = say(written((end - start) * per_unit))
+        words = say(written(end - start, units))
         along = (low + high) / 2 - width_of(words, LETTERS) / 2
         across = OVER + level * LEVEL
         if axis == 0:

@@ -7,6 +7,8 @@ from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from groundslab.design.bars.bar_layout import bar_sets
 from groundslab.design.bars.bending import marked_further_links, marked_links
 from groundslab.design.bars.positions import Position, positions
@@ -25,8 +27,8 @@ from groundslab.views.drawing.sheets.paper import SIZES, Paper, Sheet, choose_sc
 from groundslab.views.drawing.sheets.placing import Taken
 from groundslab.views.drawing.sheets.plan import chains_of, draw_plan, margins_of
 from groundslab.views.drawing.sheets.title_block import draw_frame, draw_list, paper_box
-from groundslab.views.tables.bending_schedule import bending_schedule
-from groundslab.views.tables.table import in_units
+from groundslab.views.tables.bending_schedule import HEADS, bending_schedule
+from groundslab.views.tables.table import Cell, Table, in_units, table_of
 
 if TYPE_CHECKING:
     from shapely.geometry.base import BaseGeometry
@@ -42,6 +44,9 @@ TITLES = {
 #: Between sheets in a drawing of all of them [mm of paper].
 BETWEEN = 30.0
 
+#: Wires that differ by less have one length [m].
+SAME_LENGTH = 1e-3
+
 #: Adds what a sheet is of.
 Draw = Callable[[Sheet, Taken], None]
 
@@ -52,18 +57,29 @@ def draw_sheets(model: Model, links: Sequence[LinkLayout], paper: Paper) -> list
     listed = positions(model)
     wanted = list(_wanted(model, links, listed, say))
     chains = {title: chains_of(model, zones) for title, zones, _, _ in wanted}
-    scales = [choose_scale(paper, model.bounds, partial(margins_of, model, chain)) for chain in chains.values()]
-    coarsest = max(scale for scale, _ in scales)
-    table = in_units(bending_schedule(model, links), model.units)
+    fit = partial(choose_scale, paper, model.bounds, units=model.units)
+    coarsest = max(scale for scale, _ in (fit(partial(margins_of, model, chain)) for chain in chains.values()))
+    table = in_units(_list_of(model, links, listed), model.units)
     sheets = []
     for number, (title, _, marks, draw) in enumerate(wanted, start=1):
-        scale, origin = choose_scale(paper, model.bounds, partial(margins_of, model, chains[title]), coarsest)
+        scale, origin = fit(partial(margins_of, model, chains[title]), least=coarsest)
         sheet = Sheet(title, paper, scale, origin)
         draw(sheet, draw_plan(model, sheet, chains[title], say))
         draw_list(model, sheet, table, marks, say)
         draw_frame(model, sheet, number, len(wanted), say)
         sheets.append(replace(sheet, shapes=[_shown(shape) for shape in sheet.shapes]))
     return sheets
+
+
+def _list_of(model: Model, links: Sequence[LinkLayout], listed: Sequence[Position]) -> Table:
+    """Return the bending schedule with the wires of welded meshes, which are not bent, before it."""
+    schedule = bending_schedule(model, links)
+    wires: list[list[Cell]] = []
+    for wire in (position for position in listed if position.mesh):
+        length = wire.total / len(wire.lengths) if np.ptp(wire.lengths) < SAME_LENGTH else None
+        about: list[Cell] = [f"{wire.mark}", wire.layer.replace("_", " "), wire.mesh, wire.bars.diameter * 1e3]
+        wires.append([*about, len(wire.lengths), *[None] * 6, length, wire.total, wire.mass])
+    return table_of(schedule.name, schedule.title, HEADS, [*wires, *schedule.rows()])
 
 
 def _shown(shape: Shape) -> Shape:

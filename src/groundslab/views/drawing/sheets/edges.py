@@ -11,10 +11,10 @@ from groundslab.design.bars.positions import Position, inside_of
 from groundslab.languages import Translator
 from groundslab.messages import Message, Name
 from groundslab.model.model import Model
-from groundslab.unit_systems import bars_at, unit_in
+from groundslab.unit_systems import bars_at
 from groundslab.views.drawing.shapes import Circle, Line, Shape
 from groundslab.views.drawing.sheets.bars import DOT, TICK, put_label
-from groundslab.views.drawing.sheets.dimensions import written
+from groundslab.views.drawing.sheets.dimensions import long_words
 from groundslab.views.drawing.sheets.marks import Label, labels_of
 from groundslab.views.drawing.sheets.paper import Sheet
 from groundslab.views.drawing.sheets.placing import Candidate, Taken, thin_box
@@ -32,16 +32,14 @@ ALIKE, FARTHEST = 0.01, 1.5
 def draw_edges(model: Model, sheet: Sheet, taken: Taken, listed: Sequence[Position], say: Translator) -> None:
     """Add the U-shaped bars of all edges along one direction to a sheet."""
     inside = inside_of(model)
-    unit, per_meter = unit_in("m", model.units)
     for position in listed:
         assert position.lap is not None
         axis = "xy".index(position.layer[-1])
         for places in _at_edges(position, axis):
             sign = 1.0 if inside(places[len(places) // 2], axis, 1e-3) else -1.0
             bars = bars_at(position.bars.diameter, position.bars.spacing, model.units)
-            long = written(float(position.lengths[0]) * per_meter)
             legs = Message("legs {lap:.2f m}", lap=position.lap).in_units(model.units)
-            below = [say(Message("l = {long} {unit}", long=long, unit=unit)), say(legs)]
+            below = [say(long_words(position.lengths, model.units)), say(legs)]
             above = [Name(f"{len(places)} U {bars}")]
             labels = labels_of(LAYER, f"{position.mark}", above, below)
             sheet.shapes.extend(taken.place(list(_candidates(sheet, places, axis, sign * position.lap, labels))))

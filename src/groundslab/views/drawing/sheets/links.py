@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
+from groundslab.arrays import Array
 from groundslab.design.bars.bending import marked_further_links, marked_links
 from groundslab.design.bars.further_links import LaidLinks
 from groundslab.design.bars.positions import Position
@@ -16,13 +17,16 @@ from groundslab.model.model import Model
 from groundslab.unit_systems import System, bar_size, bars_at, in_system
 from groundslab.units import UNITS, format_number
 from groundslab.views.drawing.shapes import Circle, Line, Shape, moved
+from groundslab.views.drawing.sheets.dimensions import written
 from groundslab.views.drawing.sheets.marks import label
 from groundslab.views.drawing.sheets.paper import Box, Sheet
-from groundslab.views.drawing.sheets.placing import Candidate, Taken, shortened
+from groundslab.views.drawing.sheets.placing import Candidate, Taken, shortened, thin_box
 
 LAYER = "LINKS"
 #: Radius of a leg on paper, at least [mm], and from what is labelled to its label [mm].
 DOT, OFF = 0.4, 2.0
+#: Half of the tick at the ends of a stretch of links [mm].
+TICK = 1.3
 
 
 def draw_links(
@@ -46,8 +50,24 @@ def draw_links(
         words = Message(
             "{count} links {bars}", count=laid.number, bars=Name(bars_at(laid.diameter, laid.spacing, model.units))
         )
-        shown = label(LAYER, f"{mark}", [say(words)], [shortened(laid.name)])
+        beside = [shortened(laid.name)]
+        if len(laid.standing) > 1:
+            places = np.array([link.place for link in (laid.standing[0], laid.standing[-1])])
+            ends = places * sheet.per_meter + sheet.origin
+            sheet.shapes.extend(_stretch(ends))
+            taken.lines.append(thin_box(ends))
+            long = written((len(laid.standing) - 1) * laid.spacing, model.units)
+            unit = "" if model.units == "US" else Name(" m")
+            beside.append(say(Message("over {long}{unit}", long=long, unit=unit)))
+        shown = label(LAYER, f"{mark}", [say(words)], beside)
         sheet.shapes.extend(taken.place(_beside(around, shown)))
+
+
+def _stretch(ends: Array) -> Iterator[Line]:
+    """Yield the line from the first to the last link of a beam, with a tick at each end [mm]."""
+    yield Line(LAYER, ends)
+    for end in ends:
+        yield Line(LAYER, np.array([end - TICK, end + TICK]))
 
 
 def _around(laid: LaidLinks, sheet: Sheet) -> Box:

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from fractions import Fraction
 from typing import Literal, get_args
 
 from groundslab.errors import InputError, Issue
+from groundslab.unit_systems import System
 from groundslab.views.drawing.shapes import Shape
 
 Paper = Literal["a1", "a2", "a3"]
@@ -17,8 +19,8 @@ SIZES: dict[Paper, tuple[float, float]] = {"a1": (841.0, 594.0), "a2": (594.0, 4
 FILED, EDGE = 20.0, 10.0
 #: Width of the column at the right with the list and the title block [mm]: 180 is that of ISO 7200.
 COLUMN: dict[Paper, float] = {"a1": 180.0, "a2": 180.0, "a3": 130.0}
-#: Scales that may be chosen, 1 : n, the largest first.
-SCALES = (25, 50, 75, 100, 200)
+#: Scales that may be chosen, 1 : n, the largest first: in US units 1/2, 3/8, 1/4, 3/16, 1/8, 3/32 and 1/16 in for 1 ft.
+SCALES: dict[System, tuple[int, ...]] = {"SI": (25, 50, 75, 100, 200), "US": (24, 32, 48, 64, 96, 128, 192)}
 #: Heights of letters [mm] (ISO 3098).
 SMALL, LETTERS, LARGE = 1.8, 2.5, 5.0
 
@@ -61,8 +63,17 @@ def plan_area(paper: Paper) -> Box:
     return (FILED, EDGE, width - EDGE - COLUMN[paper], height - EDGE)
 
 
+def scale_words(scale: int, units: System) -> str:
+    """Return a scale 1 : n as drawings have it, in US units as inches of paper for a foot."""
+    return f"1 : {scale}" if units == "SI" else f'{Fraction(12, scale)}" = 1\'-0"'
+
+
 def choose_scale(
-    paper: Paper, bounds: tuple[float, float, float, float], margins: Callable[[float], Margins], least: int = 0
+    paper: Paper,
+    bounds: tuple[float, float, float, float],
+    margins: Callable[[float], Margins],
+    least: int = 0,
+    units: System = "SI",
 ) -> tuple[int, tuple[float, float]]:
     """Return the largest scale at which a plan fits, and where its origin is on paper [mm]; raises InputError.
 
@@ -71,7 +82,7 @@ def choose_scale(
     """
     x0, x1, y0, y1 = bounds
     left, low, right, high = plan_area(paper)
-    for scale in (scale for scale in SCALES if scale >= least):
+    for scale in (scale for scale in SCALES[units] if scale >= least):
         per_meter = 1000.0 / scale
         around = margins(per_meter)
         width, height = (x1 - x0) * per_meter, (y1 - y0) * per_meter
@@ -82,5 +93,5 @@ def choose_scale(
             y = low + around.below + spare_y / 2 - y0 * per_meter
             return scale, (x, y)
     slab_size = f"a slab of {x1 - x0:.4g} m by {y1 - y0:.4g} m"
-    expected = f"one that fits on {paper.upper()} at 1:{SCALES[-1]}"
+    expected = f"one that fits on {paper.upper()} at {scale_words(SCALES[units][-1], units).replace(' : ', ':')}"
     raise InputError([Issue("paper", slab_size, expected, "choose larger paper, or draw it without a size of paper")])

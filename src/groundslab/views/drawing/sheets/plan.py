@@ -11,7 +11,6 @@ from groundslab.arrays import Array
 from groundslab.languages import Translator
 from groundslab.model.axes.drawn import drawn_axes
 from groundslab.model.model import Model
-from groundslab.unit_systems import unit_in
 from groundslab.views.drawing.shapes import Circle, Line, Shape, Text, plan_shapes, scaled
 from groundslab.views.drawing.sheets.dimensions import chain, depth_of, points_of
 from groundslab.views.drawing.sheets.paper import LETTERS, Margins, Sheet, plan_area
@@ -43,9 +42,8 @@ def chains_of(model: Model, zones: Sequence[BaseGeometry]) -> Chains:
 
 def margins_of(model: Model, chains: Chains, per_meter: float) -> Margins:
     """Return what stands around the plan at a scale [mm]."""
-    per_unit = unit_in("m", model.units)[1]
     below, left = (
-        FIRST + sum(depth_of(points, per_meter, per_unit) + BETWEEN for points in chains[axis]) for axis in (0, 1)
+        FIRST + sum(depth_of(points, per_meter, model.units) + BETWEEN for points in chains[axis]) for axis in (0, 1)
     )
     right, above = 4.0, 4.0
     for axis in drawn_axes(model.axes, model.bounds):
@@ -111,14 +109,13 @@ def _bubbles(model: Model, sheet: Sheet) -> Iterator[Shape]:
 
 def _dimensions(model: Model, sheet: Sheet, chains: Chains, say: Translator) -> Iterator[Shape]:
     """Yield the chains of dimensions below the plan and at its left."""
-    per_unit = unit_in("m", model.units)[1]
     x0, _, y0, _ = model.bounds
     for axis, low in ((0, y0), (1, x0)):
         at = sheet.origin[1 - axis] + low * sheet.per_meter - FIRST
         for points in chains[axis]:
-            at -= depth_of(points, sheet.per_meter, per_unit) if axis == 0 else 0.0
-            yield from chain(points, axis, at, sheet.origin, sheet.per_meter, per_unit, say)
-            at -= BETWEEN + (depth_of(points, sheet.per_meter, per_unit) if axis == 1 else 0.0)
+            at -= depth_of(points, sheet.per_meter, model.units) if axis == 0 else 0.0
+            yield from chain(points, axis, at, sheet.origin, sheet.per_meter, model.units, say)
+            at -= BETWEEN + (depth_of(points, sheet.per_meter, model.units) if axis == 1 else 0.0)
 
 
 def _around(name: str, of: tuple[float, float, float, float]) -> list[Candidate]:

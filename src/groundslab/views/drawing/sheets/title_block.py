@@ -11,7 +11,18 @@ from groundslab.messages import Message, Name
 from groundslab.model.model import Model
 from groundslab.units import format_number
 from groundslab.views.drawing.shapes import Line, Shape, Text
-from groundslab.views.drawing.sheets.paper import COLUMN, EDGE, FILED, LARGE, LETTERS, SIZES, SMALL, Paper, Sheet
+from groundslab.views.drawing.sheets.paper import (
+    COLUMN,
+    EDGE,
+    FILED,
+    LARGE,
+    LETTERS,
+    SIZES,
+    SMALL,
+    Paper,
+    Sheet,
+    scale_words,
+)
 from groundslab.views.drawing.sheets.placing import width_of
 from groundslab.views.tables.table import Table
 
@@ -58,7 +69,7 @@ def _rows(model: Model, sheet: Sheet, number: int, count: int, say: Translator) 
         (say("Part"), given("part") or (model.title if given("name") else "")),
         (say("Sheet"), f"{number} / {count}"),
     ]
-    yield [(say("Layer"), say(sheet.title)), (say("Scale"), f"1 : {sheet.scale}")]
+    yield [(say("Layer"), say(sheet.title)), (say("Scale"), scale_words(sheet.scale, model.units))]
     if any(map(given, ("client", "author", "checker"))):
         yield [(say(key.capitalize()), given(key)) for key in ("client", "author", "checker")]
     yield [(say("Revision"), given("revision")), (say("Date"), given("date")), ("", sheet.paper.upper())]
