@@ -63,16 +63,17 @@ def punching(code: str) -> dict[str, Rule]:
     for n, (first, second) in {"1": "12", "2": "21"}.items():
         position = int(n) - 1
         for of in ("", ",R"):
-            rules[f"k_{n}{of}"] = lambda v, f=first, s=second, r=f"c_r{of}": table_6_1(
-                v[r] if r in v else v[f"c_{f}"] / v[f"c_{s}"]
-            )
+            rules[f"k_{n}{of}"] = lambda v, f=first, s=second: table_6_1(v[f"c_{f}"] / v[f"c_{s}"])
             at = "a" if not of else "a_R"
             rules[f"W_{n}{of}"] = perimeter("W", lambda each, i=position: each.W[i], at)
             rules[f"c_r{of}"] = lambda v: max(v["c_1"], v["c_2"]) / (2 * min(v["c_1"], v["c_2"]))
+            rules[f"k_e{of}"] = lambda v, r=f"c_r{of}": table_6_1(v[r])
         rules[f"M_{n},R"] = lambda v, n=n: v[f"M_c,{n}"] + v["N_Ed"] * v[f"e_{n},R"]
     rules |= {
         "u": lambda v: v["u_w"] - v["u_o"] if "u_w" in v else perimeter("u", lambda each: each.u)(v),
         "beta_min": 1.1,
+        "beta_g": by_moments,
+        "beta_e": lambda v: along_edge(v) if "s" in v else 1.5,
         "beta": lambda v: beta(v, code),
         "beta_c": lambda v: 1.5 if "s_2" in v else 1.4 if "s_1" in v else 1.1 if code == DE else 1.15,
         "a_R": lambda v: 2 * v["d"],
@@ -119,13 +120,24 @@ def punching(code: str) -> dict[str, Rule]:
 
 
 def beta(v: Values, code: str) -> float:
-    """Return beta by 6.39 and 6.51, in Germany 1.1 at least; at a corner without moments 1.5."""
+    """Return beta by 6.39 and 6.51, in Germany 1.1 at least; at a corner without moments 1.5; of two the larger."""
+    least = 1.1 if code == DE else 1.0
+    if "beta_g" in v:
+        return max(least, v["beta_g"], v["beta_e"])
     if "M_1" not in v:
         return 1.5
-    if "M_2" not in v:
-        return max(1.0, 1 / v["s"] + table_6_1(v["c_r"]) * abs(v["M_1"]) * v["u"] / (v["V_Ed"] * v["W_1"]))
+    return max(least, by_moments(v) if "M_2" in v else along_edge(v))
+
+
+def by_moments(v: Values) -> float:
+    """Return beta by 6.39 and 6.51."""
     x, y = (v[f"k_{n}"] * v[f"M_{n}"] / v["V_Ed"] * v["u"] / v[f"W_{n}"] for n in (1, 2))
-    return max(1.1 if code == DE else 1.0, 1 + math.sqrt(x * x + y * y))
+    return 1 + math.sqrt(x * x + y * y)
+
+
+def along_edge(v: Values) -> float:
+    """Return beta by 6.44."""
+    return 1 / v["s"] + v["k_e"] * abs(v["M_1"]) * v["u"] / (v["V_Ed"] * v["W_1"])
 
 
 def _apart(code: str) -> float:

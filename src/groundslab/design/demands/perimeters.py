@@ -41,6 +41,8 @@ NEAREST_EDGES = 3
 FAR = 4.0
 #: Over how far openings count it is looked whether they leave strips; by EN 1992-1-1 that is 2 d of 6 d.
 STRIPS = 1 / 3
+#: An opening is the side of a strip if it is seen over this angle [rad] at least; a smaller one is passed on each side.
+SIDE = np.pi / 3
 #: An opening's shadow is drawn in steps of this angle [rad] at most.
 SHADOW_STEP = np.pi / 4
 
@@ -249,13 +251,22 @@ def _with_strips(
 ) -> Surroundings:
     """Return the plate around with the openings that leave strips as edges of it.
 
-    They are those that go on beyond a region; what lies between them and other edges is cut, and needs no tangents.
+    They are those that go on beyond a region, and are seen from the center over SIDE or more; what lies between them
+    and other edges is cut, and needs no tangents. All others have tangents.
     """
-    from shapely import Polygon, difference, get_parts, intersection, prepare, union_all
+    from shapely import Polygon, difference, get_coordinates, get_parts, intersection, prepare, union_all
 
     holes = [Polygon(hole) for part in get_parts(plan) for hole in part.interiors]
     whole = union_all([Polygon(polygon.exterior) for polygon in get_parts(plan)])
-    within, beyond = (union_all([hole for hole in holes if region.covers(hole) == near]) for near in (True, False))
+    sides = [
+        not region.covers(hole) and np.ptp(_directions(get_coordinates(hole) - around.center)) >= SIDE for hole in holes
+    ]
+    if not any(sides):
+        return around
+    within, beyond = (
+        union_all([hole for hole, is_side in zip(holes, sides, strict=True) if is_side == kept])
+        for kept in (False, True)
+    )
     filled, part = difference(whole, beyond), around.plan.envelope
     rim = intersection(filled.boundary, part)
     prepare(rim)
@@ -470,6 +481,12 @@ def _cut_off(around: Surroundings, region: Polygon, *, filled: bool = False) -> 
     return inside, legs[~dwithin(boundary, points(legs.mean(axis=1)), around.rounding)]
 
 
+def _directions(rays: Array) -> Array:
+    """Return the angles (k,) [rad] of rays (k, 2) to places around an opening, from a center outside of it."""
+    # they come back to where they began
+    return np.unwrap(np.arctan2(rays[:, 1], rays[:, 0]))
+
+
 def shadow_of(
     plan: Polygon | MultiPolygon, footprint: Polygon, center: Array, openings: Openings, far: float
 ) -> BaseGeometry:
@@ -483,8 +500,7 @@ def shadow_of(
         rays = get_coordinates(hole) - center
         if openings.widened:
             rays = _widened(rays, get_coordinates(Polygon(hole).centroid)[0] - center)
-        # the center lies outside the opening, so that the angles come back to where they began
-        angles = np.unwrap(np.arctan2(rays[:, 1], rays[:, 0]))
+        angles = _directions(rays)
         low, high = angles.min(), angles.max()
         steps = np.linspace(low, high, 2 + int((high - low) / SHADOW_STEP))
         wedges.append(Polygon(np.vstack([center, center + far * np.column_stack([np.cos(steps), np.sin(steps)])])))

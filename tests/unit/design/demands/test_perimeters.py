@@ -168,6 +168,21 @@ def test_openings_that_leave_no_strips_take_off_their_shadow() -> None:
         assert line.u == pytest.approx(2 * (0.4 + 2 * a * (np.pi / 2 - angle)), rel=CHORDS)
 
 
+@pytest.mark.parametrize("distance", [0.3, 0.5])
+def test_an_opening_in_front_of_a_column_at_an_edge_is_no_side_of_a_strip(distance: float) -> None:
+    """At 2 d it parts the perimeter in two that turn by less than 90 degrees each; its tangents count all the same.
+
+    The opening, 0.4 m wide, is 0.6 m from the column, 0.8 m from its center: of the side in front of it, 0.2 m + a from
+    the center, 2 (0.2 + a) / 4 are between the tangents.
+    """
+    plate = plate_of(without(straight(40, 30, 8.0, 6.0), (3.8, 4.2), (1.0, 1.4)))
+    column = RectangularColumn(4.0, 0.2, 0.4, 0.4)
+    line = perimeter(plate, column, distance, Openings(6 * 0.35))
+    whole = 3 * 0.4 + np.pi * distance
+    assert line.u == pytest.approx(whole - (0.2 + distance) / 2, rel=CHORDS)
+    assert not line.cut
+
+
 @pytest.mark.slow
 def test_the_shadow_of_an_opening() -> None:
     """Within six depths of the column, what lies between the tangents to an opening does not count (Figure 6.14)."""

@@ -460,6 +460,7 @@ def _stress(results: CombinationResult, site: _Site, control: ControlPerimeter) 
         shear.parts.along(control.course.frame),
         way=raised.way,
         outward=raised.outward,
+        both=raised.both,
         cases=shear.cases,
         other_betas=lambda: {} if alone else _other_ways(results, site, control, shear, pushing[1:]),
     )
@@ -489,6 +490,7 @@ def _face_stress(results: CombinationResult, site: _Site, face: ControlPerimeter
         parts=parts.along(outer.course.frame),
         outer=outer,
         way=by_moments.way,
+        both=by_moments.both,
         error=lambda: error_of(results, lambda mesh: _face_stress(mesh, site, face, outer).v_Ed),
     )
 
@@ -499,6 +501,7 @@ class _Raised(NamedTuple):
     force: float  # [N]
     way: str = "code"
     outward: float | None = None  # a moment of the column that bends it outwards and decides [N m]
+    both: bool = False  # whether at an edge or corner the larger one of 6.39 and the simpler value counts
 
 
 def _raised(
@@ -574,4 +577,4 @@ def _raised_by_moments(
     if not (control.opened or outward > NO_ECCENTRICITY * force):
         return _Raised(max(least, simple))
     decides = general > max(least, simple) and not control.opened
-    return _Raised(max(least, simple, general), outward=outward if decides else None)
+    return _Raised(max(least, simple, general), outward=outward if decides else None, both=True)

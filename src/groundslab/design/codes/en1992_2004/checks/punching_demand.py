@@ -83,6 +83,7 @@ class Stress:
     outer: ControlPerimeter | None = field(default=None, repr=False, compare=False)  # that beta at the face is of
     way: str = "code"  # how beta is found
     outward: float | None = None  # a moment of the column that bends it outwards and decides beta by moments [N m]
+    both: bool = False  # whether at an edge or corner beta is the larger one of 6.39 and the simpler value
     other_betas: Callable[[], Mapping[str, float]] = field(
         default=dict, repr=False, compare=False
     )  # beta by other ways

@@ -56,6 +56,7 @@ from groundslab.model.design.reinforcement import Reinforcement
 #: Where DIN EN 1992-1-1/NA, the one annex with a bound, has the least beta: for slabs and for foundations.
 LEAST_BETA = "6.4.3(3), NA.6.39.1, 6.4.4(2), NA.6.51.1"
 TRANSFERRED = "share of it that shear transfers"
+AT_CORNER, BY_MOMENTS = "factor for a column at a corner", "factor for moments"
 
 
 def steps(demand: Demand, steel: Reinforcement, support: Support) -> Iterator[Step]:
@@ -74,7 +75,7 @@ def steps(demand: Demand, steel: Reinforcement, support: Support) -> Iterator[St
         size, relieves = (stress.control.loads.size, stress.cases), steel.line_force_relieves
         symbols, clause = ("N_Ed", "V_Ed"), "6.4.4(2), 6.48"
         yield from punching_force(what, symbols, inside, size, stress.V_Ed, clause, relieves=relieves)
-        constant = _has_constant(stress, stress.control, concrete.annex.least_beta)
+        constant = _has_constant(stress, stress.control)
         yield from _length(stress.control, along_axes=not constant or _face_has_moments(demand, concrete))
         yield from _beta(stress, stress.control, concrete.annex.least_beta, what, demand.force)
     else:
@@ -143,14 +144,10 @@ def _of_thinner(n: int) -> str:
     return f"min(1, max(1, 2 * (d - t_{n}) / (a - b_{n})) * a * (d - t_{n}) / (2 * d^2))"
 
 
-def _has_constant(stress: Stress, control: ControlPerimeter, least: float, force: float | None = None) -> bool:
-    """Return whether beta of a perimeter at a corner is the constant, and not that of moments about its center [N]."""
-    if control.course.shape != "corner" or stress.beta is None or stress.way != "code":
-        return False
-    pushing = stress.V_Ed if force is None else force
-    shares, moduli = [*map(float, control.shares)], [*map(float, control.moduli)]
-    general = en1992.raised(stress.moments, shares, pushing, control.u, moduli) / pushing
-    return not math.isclose(stress.beta, max(least, general), rel_tol=SAME)
+def _has_constant(stress: Stress, control: ControlPerimeter) -> bool:
+    """Return whether beta of a perimeter at a corner is the constant, and none of moments about its center."""
+    simple = stress.beta is not None and stress.way == "code" and not stress.both
+    return simple and control.course.shape not in ("closed", "edge")
 
 
 def _face_has_moments(demand: Demand, concrete: Concrete) -> bool:
@@ -158,7 +155,7 @@ def _face_has_moments(demand: Demand, concrete: Concrete) -> bool:
     face = demand.face
     if face is None or face.outer is None or not concrete.annex.face or face.way != "code":
         return False
-    return not _has_constant(face, face.outer, concrete.annex.least_beta, demand.force)
+    return not _has_constant(face, face.outer)
 
 
 def _extents_at_corner(control: ControlPerimeter) -> tuple[float, tuple[str, str]]:
@@ -203,38 +200,65 @@ def _beta_by_moments(
     `column_force` is the symbol and size of the force at the column [N], `raised` the symbol of what beta raises, and
     `of` what ends the symbols.
     """
-    bounded = "max(beta_min, {})" if least > 1 else "{}"
-    bound = [Step("least factor of the annex", "beta_min", least, clause=LEAST_BETA)] if least > 1 and not of else []
-    force = stress.V_Ed if not of else column_force[1]
-    shares, moduli = [*map(float, control.shares)], [*map(float, control.moduli)]
-    general = en1992.raised(stress.moments, shares, force, control.u, moduli) / force if stress.beta else 1.0
-    if _has_constant(stress, control, least, force):
-        yield Step(
-            "factor for a column at a corner",
-            "beta_0" if of else "beta",
-            stress.beta or 0.0,
-            clause="6.4.3(6), Figure 6.21N",
-        )
+    symbol, shape = "beta_0" if of else "beta", control.course.shape
+    if _has_constant(stress, control):
+        yield Step(AT_CORNER, symbol, stress.beta or 0.0, clause="6.4.3(6), Figure 6.21N")
         return
-    edge = stress.beta is not None and not math.isclose(stress.beta, max(least, general), rel_tol=SAME)
+    at_edge = shape == "edge" and stress.beta is not None
+    general = stress.both or not at_edge
     if not of:
         yield axis_step(control.course.frame)
-    for n in (1,) if edge else (1, 2):
+    for n in (1, 2) if general else (1,):
         yield from _moment(n, stress, what, column_force, of)
-        yield from _edge_share(control, of) if edge else _share(n, control, of)
+        if general:
+            yield from _share(n, control, of)
         yield _modulus(n, control, of)
+    if at_edge:
+        yield from _edge_share(control, of)
+        yield from _reduced(control, of)
     if stress.beta is None:
         return
-    name, clause = ("beta at an edge", "6.4.3(4), 6.44") if edge else ("beta", "6.4.3(3), 6.39, 6.51")
-    if edge:
-        yield from _reduced(control, of)
-    yield from bound
+    if least > 1 and not of:
+        yield Step("least factor of the annex", "beta_min", least, clause=LEAST_BETA)
+    formulas = {"beta": _formula("beta", raised, of), "beta at an edge": _formula("beta at an edge", raised, of)}
+    clauses = {"beta": "6.4.3(3), 6.39, 6.51", "beta at an edge": "6.4.3(4), 6.44"}
+    words, name = (BY_MOMENTS, "beta") if general else ("factor for moments along the edge", "beta at an edge")
+    bounds = ["beta_min"] if least > 1 else []
+    if not stress.both:
+        formula = f"max({bounds[0]}, {formulas[name]})" if bounds else formulas[name]
+        yield Step(words, symbol, stress.beta, "", formula, clauses[name])
+        return
+    force = stress.V_Ed if not of else column_force[1]
+    by_moments, simple = _both(stress, control, force)
+    yield Step(BY_MOMENTS, f"beta_g{of}", by_moments, "", formulas["beta"], clauses["beta"])
+    if at_edge:
+        words, formula = "factor for moments along the edge", formulas["beta at an edge"]
+        yield Step(words, f"beta_e{of}", simple, "", formula, clauses["beta at an edge"])
+    else:
+        yield Step(AT_CORNER, f"beta_e{of}", simple, clause="6.4.3(6), Figure 6.21N")
+    formula = f"max({', '.join([*bounds, f'beta_g{of}', f'beta_e{of}'])})"
+    words = "factor beside an opening, or where the column is bent outwards: the larger one"
+    yield Step(words, symbol, stress.beta, "", formula, "6.4.3")
+
+
+def _both(stress: Stress, control: ControlPerimeter, force: float) -> tuple[float, float]:
+    """Return beta by 6.39, and by 6.44 at an edge or the constant at a corner, of a force [N]."""
+    shares, moduli = [*map(float, control.shares)], [*map(float, control.moduli)]
+    general = en1992.raised(stress.moments, shares, force, control.u, moduli)
+    if control.course.shape != "edge":
+        return general / force, en1992.CORNER
+    share = en1992.transfer_share(en1992.edge_ratio(*control.widths))
+    simple = en1992.raised_at_an_edge(control.reduced, stress.moments[0], share, force, control.u, moduli[0])
+    return general / force, simple / force
+
+
+def _formula(name: str, raised: str, of: str) -> str:
+    """Return a formula of beta with the symbol of the force that it raises, and what ends the other symbols."""
     formula = en1992.FORMULAS[name].replace("V_Ed", raised)
     if of:
-        formula = re.sub(r"\b([kMW]_[12])\b", rf"\1{of}", formula)
+        formula = re.sub(r"\b([kMW]_[12e])\b", rf"\1{of}", formula)
         formula = re.sub(r"\b([us])\b", rf"\1_{of[1:]}", formula)
-    words = "factor for moments along the edge" if edge else "factor for moments"
-    yield Step(words, "beta_0" if of else "beta", stress.beta, "", bounded.format(formula), clause)
+    return formula
 
 
 def _moment(
@@ -256,9 +280,10 @@ def _edge_share(control: ControlPerimeter, of: str) -> Iterator[Step]:
     """Yield the share of a moment along an edge that shear transfers, and the ratio of sides that it is taken by."""
     ratio = en1992.edge_ratio(*control.widths)
     words = "ratio of sides c_1 / (2 c_2), the larger of both ways to read it"
-    formula = en1992.FORMULAS["k_1 at an edge"].replace("c_r", f"c_r{of}")
+    formula = en1992.FORMULAS["k_e"].replace("c_r", f"c_r{of}")
     yield Step(words, f"c_r{of}", ratio, "", en1992.FORMULAS["c_r"], "6.4.3(4)")
-    yield Step(TRANSFERRED, f"k_1{of}", en1992.transfer_share(ratio), "", formula, "6.4.3(4), Table 6.1")
+    words = "share of the moment along the edge that shear transfers"
+    yield Step(words, f"k_e{of}", en1992.transfer_share(ratio), "", formula, "6.4.3(4), Table 6.1")
 
 
 def _modulus(n: int, control: ControlPerimeter, of: str) -> Step:
