@@ -74,6 +74,9 @@ def punching(code: str) -> dict[str, Rule]:
         "beta_min": 1.1,
         "beta_g": by_moments,
         "beta_e": lambda v: along_edge(v) if "s" in v else 1.5,
+        "s_R": lambda v: v["u_r_R"] / v["u_R"],
+        "beta_g,R": at_face,
+        "beta_e,R": lambda v: face_along_edge(v) if "s_R" in v else 1.5,
         "beta": lambda v: beta(v, code),
         "beta_c": lambda v: 1.5 if "s_2" in v else 1.4 if "s_1" in v else 1.1 if code == DE else 1.15,
         "a_R": lambda v: 2 * v["d"],
@@ -109,9 +112,7 @@ def punching(code: str) -> dict[str, Rule]:
         "V_Ed,0": lambda v: v["N_Ed"] + v["N_o,0"] - v["N_p,0"],
         "u_0": _face,
         "alpha_cc": 1.0,
-        "beta_0": lambda v: (
-            1 + math.hypot(*(v[f"k_{n},R"] * v[f"M_{n},R"] * v["u_R"] / v["N_Ed"] / v[f"W_{n},R"] for n in (1, 2)))
-        ),
+        "beta_0": lambda v: max(v["beta_g,R"], v["beta_e,R"]) if "beta_g,R" in v else at_face(v),
         "v_Ed,0": lambda v: v["beta_0"] * v["V_Ed,0"] / v["u_0"] / v["d"],
         "v_Rd,max": lambda v: 0.4 * 0.6 * (1 - v["f_ck"] / 250) * v["f_ck"] / v["gamma_C"],
         "eta_0": lambda v: v["v_Ed,0"] / v["v_Rd,max"],
@@ -133,6 +134,16 @@ def by_moments(v: Values) -> float:
     """Return beta by 6.39 and 6.51."""
     x, y = (v[f"k_{n}"] * v[f"M_{n}"] / v["V_Ed"] * v["u"] / v[f"W_{n}"] for n in (1, 2))
     return 1 + math.sqrt(x * x + y * y)
+
+
+def at_face(v: Values) -> float:
+    """Return the same of the column's own force and moments on the outermost perimeter."""
+    return 1 + math.hypot(*(v[f"k_{n},R"] * v[f"M_{n},R"] * v["u_R"] / v["N_Ed"] / v[f"W_{n},R"] for n in (1, 2)))
+
+
+def face_along_edge(v: Values) -> float:
+    """Return beta by 6.44 of them."""
+    return 1 / v["s_R"] + v["k_e,R"] * abs(v["M_1,R"]) * v["u_R"] / (v["N_Ed"] * v["W_1,R"])
 
 
 def along_edge(v: Values) -> float:

@@ -55,7 +55,7 @@ def meshes_of(results: Results) -> tuple[int, ...]:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("model", "least"), [(slab(0.004), 3), (far_away(), 1)], ids=["four meshes", "far away"])
+@pytest.mark.parametrize(("model", "least"), [(slab(0.002), 3), (far_away(), 1)], ids=["four meshes", "far away"])
 def test_the_same_end_from_any_mesh(model: Model, least: int, tmp_path: Path) -> None:
     """From results on the first or third mesh as a folder has them come the same results; no mesh is solved twice."""
     whole, before = solve_in_steps(model, tmp_path)

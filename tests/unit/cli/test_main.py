@@ -779,7 +779,7 @@ def test_a_run_that_is_killed_is_resumed(tmp_path: Path, capsys: pytest.CaptureF
     Resumed, it goes on from there, solves no mesh again, and ends as if it had never stopped.
     """
     case, kept = tmp_path / "wheel.toml", tmp_path / "wheel-results-provisional"
-    case.write_text(WHEEL.replace("1 %", "0.6 %"), encoding="utf-8")
+    case.write_text(WHEEL.replace("1 %", "0.3 %"), encoding="utf-8")
     command = ["solve", str(case), "--resume"]
     with subprocess.Popen([sys.executable, "-c", STUCK, *command], stderr=subprocess.PIPE, text=True) as process:
         assert process.stderr is not None
@@ -881,7 +881,7 @@ def test_the_results_on_each_mesh_can_be_viewed(tmp_path: Path, monkeypatch: pyt
     """What is kept after each mesh opens as any results do, and says how far that mesh is off."""
     view = pytest.importorskip("groundslab.workbench.server.view")
     case = tmp_path / "wheel.toml"
-    case.write_text(WHEEL.replace("1 %", "0.6 %"), encoding="utf-8")
+    case.write_text(WHEEL.replace("1 %", "0.3 %"), encoding="utf-8")
     save, shown = results_folder.save_provisional, []
 
     def save_and_view(results: Results, folder: Path) -> Path | None:

@@ -231,9 +231,11 @@ def test_pressures_at_the_border_of_two_springs_have_both_sides(tensionless: boo
     ).only  # fmt: skip
     plate = found.plate
     on_border = np.flatnonzero(np.abs(plate.nodes[:, 0]) < 1e-9)
-    assert len(on_border) == 2 * len(np.unique(plate.nodes[on_border, 1].round(9)))
+    y = plate.nodes[on_border, 1].round(9)
     k = plate.pressure[on_border] / plate.settlement[on_border]
     soft = k < 40e6
-    assert soft.sum() == len(on_border) / 2
+    # where one side has smaller elements, every other place is of this side alone
+    assert len(y) == len(np.unique(y[soft])) + len(np.unique(y[~soft]))
+    assert len(np.intersect1d(y[soft], y[~soft])) > len(y) / 3
     np.testing.assert_allclose(k, np.where(soft, 20e6, 60e6), rtol=2e-3)
     assert plate.contact_force.sum() == pytest.approx(50e3 * 48.0, rel=1e-9)

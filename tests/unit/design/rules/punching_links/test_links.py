@@ -229,7 +229,11 @@ def test_tables_have_legs_and_mass_of_links() -> None:
     marks = [row[0] for row in bars.rows()[:-1]]
     assert marks == list(range(1, len(marks) + 1))
     alone = sum(float(row[12] or 0) for row in bars.rows()[:-1] if row[1] != "links")
-    assert bars["mass"][-1] == pytest.approx(alone + mass)
+    schedule = tables["bending_schedule"]
+    of_links = [layer == "links" for layer in schedule["layer"]]
+    bent = sum(mass for mass, is_link in zip(schedule["mass"], of_links, strict=True) if is_link)
+    assert bent > mass  # with their hooks
+    assert bars["mass"][-1] == pytest.approx(alone + bent)
 
 
 def test_links_at_ends_of_walls_follow_their_perimeters() -> None:
