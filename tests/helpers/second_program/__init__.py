@@ -60,9 +60,9 @@ class Line(NamedTuple):
 #: Lengths, centers and moduli of perimeters, drawn with chords on one side and computed by points on the other; where
 #: openings take off a part they are read from the sketch.
 DRAWN = {
-    "u", "u_w", "u_o", "u_R", "u_0", "b_05", "b_o", "b_w", "b_0", "b_g", "u_r", "u_r_R", "W_1", "W_2", "W_1,R", "W_2,R", "e_1",
-    "e_2", "e_1,R", "e_2,R", "x_1", "x_2", "I_1", "I_2", "I_12", "l_1", "l_2", "l_12", "c_1", "c_2", "b_1", "b_2",
-    "u_w,l", "u_w,i", "u_o,l", "u_o,i",
+    "u", "u_w", "u_o", "u_R", "u_0", "b_05", "b_o", "b_w", "b_0", "b_g", "u_r", "u_r_R", "W_1", "W_2", "W_1,R", "W_2,R",
+    "e_1", "e_2", "e_1,R", "e_2,R", "x_1", "x_2", "I_1", "I_2", "I_12", "l_1", "l_2", "l_12", "c_1", "c_2", "b_1",
+    "b_2", "u_w,l", "u_w,i", "u_o,l", "u_o,i",
 }  # fmt: skip
 
 
