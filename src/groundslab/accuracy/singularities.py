@@ -87,9 +87,7 @@ def limits_without_contact(model: Model, nodes: Array) -> Limits:
         shear_forces &= ~_near(nodes, [*beam.edges], beam.width / 2)
     if not model.ground_carries_shear:
         return Limits(shear_forces, np.ones(len(nodes), dtype=bool))
-    webs = [_near(nodes, [*beam.edges], beam.width / 2 + reach) for beam in model.beams]
-    creased = np.any([_near(nodes, [*_creases(model)], reach), *webs], axis=0)
-    return Limits(shear_forces, ~(singular | creased))
+    return Limits(shear_forces, ~(singular | _near(nodes, [*_creases(model)], reach)))
 
 
 def _near(nodes: Array, edges: list[Segment], reach: float) -> Flags:
@@ -106,7 +104,7 @@ def _creases(model: Model) -> Iterator[Segment]:
     """Yield the lines along which the pressure of ground with shear jumps or has no limit."""
     for _, shape in model.acting:
         yield from borders_of(shape)
-    for line in (*model.supports, *(member for member in model.members if member not in model.beams)):
+    for line in (*model.supports, *model.members):
         yield from line.edges
     zones = [zone for plate in model.every_plate for zone in plate.zones]
     soil, voids = model.soil_zones, model.contact.voids

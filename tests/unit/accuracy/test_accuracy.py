@@ -271,7 +271,7 @@ def test_shear_forces_over_webs_and_at_ends_of_ribs_are_not_judged() -> None:
     places = np.array([(1.0, 0.0), (1.0, 0.29), (1.0, 0.31), (2.5, 0.0), (2.6, 0.0)])
     limits = limits_without_contact(model, places)
     assert limits.shear_forces.tolist() == [False, False, True, False, True]
-    places = np.array([(1.0, 0.5), (1.0, 0.6), (2.5, 0.0), (2.6, 0.0)])
+    places = np.array([(1.0, 0.2), (1.0, 0.3), (2.5, 0.0), (2.6, 0.0)])
     assert limits_without_contact(model, places).pressures.tolist() == [False, True, False, True]
 
 

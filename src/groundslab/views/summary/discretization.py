@@ -84,7 +84,9 @@ def _not_judged(results: CombinationResult) -> tuple[str, ...]:
 
     limits = find_limits(results.solved_model, results.plate)
     words = {
-        "shear forces along edges, around footprints, next to walls and where they are singular": limits.shear_forces,
+        "shear forces along edges, around footprints, over webs of beams, next to walls and where they are singular": (
+            limits.shear_forces
+        ),
         "pressures where they jump or have no limit": limits.pressures | ~limits.shear_forces,
     }
     left_out = [text for text, judged in words.items() if not judged.all()]

@@ -25,6 +25,8 @@ _NOTES = (
     "flange; the plate's own moment, times the flange's width, adds to it.",
     "Shear forces and torsional moments are the largest in size one thickness of the plate away from the beam's ends, "
     "where forces pass from the beam into the plate.",
+    "Right beside forces and supports without a footprint the shear force of a beam grows as elements become smaller: "
+    "it is judged a thickness away from them.",
 )
 _NOTE_ON_STRIPS = (
     "Those of strips that are designed as beams are the plate's own over their width, without beams and walls on them."
