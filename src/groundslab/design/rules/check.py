@@ -49,6 +49,8 @@ SUPPORT_INSIDE = Unjudged(
 )
 #: Punching: openings and edges leave nothing of the perimeter.
 NO_PERIMETER = Unjudged("no-perimeter", "move the openings or the load, or design the slab there by hand")
+#: Punching of floors: a force without a footprint has no perimeter.
+NO_FOOTPRINT = Unjudged("no-footprint", "give it width_x and width_y, or a diameter")
 #: One-way shear: punching is checked everywhere, or nothing can be, and no cut goes from edge to edge.
 NO_PLACE = Unjudged("no-place", "check cuts through the slab by hand")
 #: Equilibrium: glued ground pulls so that its force has no place under the plate, but supports might do without.
@@ -77,8 +79,8 @@ OTHER_STANDARD = Unjudged("another-standard", "take it from there")
 NO_CONCRETE = Unjudged("no-concrete", "give one of them")
 #: All of them, in the order in which the documentation lists them.
 UNJUDGED = (
-    SUPPORT_INSIDE, NO_PERIMETER, NO_PLACE, GLUED, UNSOLVED, NO_COMBINATION, ONE_COLUMN, NO_RULE,
-    GIVEN_SECTION, NO_LIMIT, HELD_EDGE, NO_BARS, BARS_YIELD, OTHER_STANDARD, NO_CONCRETE,
+    SUPPORT_INSIDE, NO_PERIMETER, NO_FOOTPRINT, NO_PLACE, GLUED, UNSOLVED, NO_COMBINATION, ONE_COLUMN,
+    NO_RULE, GIVEN_SECTION, NO_LIMIT, HELD_EDGE, NO_BARS, BARS_YIELD, OTHER_STANDARD, NO_CONCRETE,
 )  # fmt: skip
 
 

@@ -162,7 +162,9 @@ def check_floor(
     if not has_ultimate_combination(combinations, combine):
         add = '[[combinations]] with limit_state = "ultimate", or "ultimate" in the sets of [combine]'
         yield RelativeIssue(("floor",), "no ultimate combination of loads", "at least one to check", f"add {add}")
-    thinnest = min(slab.thickness for slab in list_plates(plate, plates))
+    slabs = [*list_plates(plate, plates)]
+    zones = [zone.thickness for slab in slabs for zone in slab.zones if zone.thickness is not None]
+    thinnest = min([*(slab.thickness for slab in slabs), *zones])
     if floor.mesh_axis is not None and floor.mesh_axis >= thinnest / 2:
         expected = f"less than half of the thickness, {thinnest / 2!r} m"
         yield RelativeIssue(("floor", "mesh_axis"), f"{floor.mesh_axis!r} m", expected)

@@ -14,7 +14,7 @@ from groundslab.arrays import Array
 from groundslab.design.bars.bar_layout import BarSet, bar_sets
 from groundslab.design.bars.bending import marked_further_links, marked_links
 from groundslab.design.bars.further_links import LaidLinks
-from groundslab.design.bars.positions import U_SHAPE, Position, cut_bars, inside_of, positions
+from groundslab.design.bars.positions import U_SHAPE, Position, cut_bars, inside_of, positions, to_cut
 from groundslab.design.rules.punching_links.layout import LinkLayout
 from groundslab.messages import Label, Message, Name
 from groundslab.model.model import Model
@@ -156,7 +156,9 @@ def label_of(of_set: Sequence[Position], units: System) -> str:
     first, last = of_set[0], of_set[-1]
     marks = Name(f"{first.mark}" if first is last else f"{first.mark}-{last.mark}")
     unit, per_meter = unit_in("m", units)
-    shortest, longest = (f"{find(find(bar.lengths) for bar in of_set) * per_meter:.2f}" for find in (min, max))
+    shortest, longest = (
+        f"{find(find(to_cut(bar.lengths, units)) for bar in of_set) * per_meter:.2f}" for find in (min, max)
+    )
     long = longest if shortest == longest else Message("{low} to {high}", low=shortest, high=longest)
     mesh = Name(f"{first.mesh}: " if first.mesh else "")
     lap: str = ""

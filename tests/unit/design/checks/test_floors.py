@@ -193,6 +193,28 @@ def test_punching_by_hand() -> None:
     assert mesh.resistance == pytest.approx(0.12 * k * (100 * rho * 30) ** (1 / 3))
 
 
+def test_the_footprint_that_uses_most_punches_and_not_the_largest_force() -> None:
+    """1.5 x 115 kN on 0.05 m x 0.05 m, 5.75 MPa, are worse than 1.5 x 120 kN on 1 m x 1 m; both sheets are its own."""
+    wide, small = leg(-2, 0, P=120e3, width_x=1.0, width_y=1.0), leg(2, 0, P=115e3, width_x=0.05, width_y=0.05)
+    both, alone = (checks(model_with(FIBERS, loads)) for loads in ([wide, small], [small]))
+    for name in ("punching at the footprint", "punching"):
+        found = both[name, "internal"]
+        assert found.place == (2.0, 0.0)
+        assert found.demand == pytest.approx(alone[name, "internal"].demand)
+        assert follow_steps(found.steps)
+    assert both["punching at the footprint", "internal"].demand == pytest.approx(1.5 * 115e3 / (0.2 * 0.15) / 1e6)
+    assert both["punching at the footprint", "internal"].status == "fails"
+
+
+def test_friction_that_takes_all_of_the_allowed_stress_leaves_nothing_for_pressures() -> None:
+    """Mu gamma L / 2 = 1.5 x 25 kN/m3 x 120 m / 2 = 2.25 MPa of f_r / SF = 2 MPa: no pressure may stand there."""
+    friction = {"friction": 1.5, "unit_weight": 25e3, "joint_spacing": 120.0}
+    goods = {"kind": "patch", "case": "Q", "q": 30e3, "x": (-3, -1), "y": (-2, 2)}
+    found = checks(model_with({**ACI, **friction}, [goods]))["pressure beside aisles", ""]
+    assert (found.status, found.resistance, found.utilization) == ("fails", 0.0, math.inf)
+    assert follow_steps(found.steps)["q_R"] == 0.0
+
+
 def test_a_footprint_at_an_angle_punches_as_one_along_x_and_y() -> None:
     """A rectangle keeps its sides, perimeters and demand at any angle; a circle of its area would have others."""
     flat, askew = (
@@ -337,6 +359,14 @@ def test_faults_of_a_floor_are_told(floor: dict[str, Any], found: str) -> None:
     """Keys that need each other, that exclude each other, and a mesh in the upper half."""
     with pytest.raises(InputError, match=found):
         model_with(floor, [leg(0, 0)])
+
+
+def test_a_mesh_has_to_lie_in_the_thinnest_zone() -> None:
+    """40 mm from the top is below the middle of a zone of 60 mm."""
+    zone = {"shape": {"kind": "rectangle", "x": (0, 1), "y": (0, 1)}, "thickness": 0.06}
+    plate = {"length_x": LENGTH_X, "length_y": LENGTH_Y, "thickness": H, "E": E, "nu": NU, "zones": [zone]}
+    with pytest.raises(InputError, match=r"less than half of the thickness, 0\.03 m"):
+        model_with({**TR34, "mesh_area": 4e-4, "mesh_axis": 0.04}, [leg(0, 0)], plate=plate)
 
 
 def test_tr34_needs_an_ultimate_combination() -> None:

@@ -94,6 +94,8 @@ WATER = {"kind": "uniform", "case": "G", "q": 40e3}
 GIVEN = {"kind": "properties", "second_moment": 1e-4, "torsion_constant": 1e-4, "shear_area": 0.01}
 CONCRETE = {"kind": "rectangle", "width": 0.3, "height": 0.6}
 #: By the reason: what of the slab differs where it is so, and where it is nearly so, and how the check is called.
+FLOOR = {"kind": "TR34", "concrete": "C30/37"}
+WHEEL = {"kind": "point", "case": "G", "P": 60e3, "x": 0.5, "y": 0.0}
 CASES: dict[str, tuple[dict[str, Any], dict[str, Any], str]] = {
     "support-inside": (
         {"supports": [PILE | {"x": 0.0}], "loads": [LOAD | {"P": 4e6}]},
@@ -101,6 +103,10 @@ CASES: dict[str, tuple[dict[str, Any], dict[str, Any], str]] = {
         "punching within 2 d",
     ),
     "no-perimeter": ({"plate": plate(sides=4)}, {"plate": plate(sides=2)}, "punching within 2 d"),
+    "no-footprint": (
+        {"floor": FLOOR, "loads": [WHEEL]}, {"floor": FLOOR, "loads": [WHEEL | {"width_x": 0.2, "width_y": 0.2}]},
+        "punching",
+    ),
     "no-place": (ON_POINTS, ON_POINTS | {"plate": BAY | {"thickness": 0.3}}, "one-way shear"),
     "glued-to-the-ground": (lifted(-300e3), lifted(300e3), "static equilibrium"),
     "no-combination": (

@@ -34,9 +34,9 @@ from groundslab.design.codes.floors.slab import (
 from groundslab.design.codes.floors.yield_lines import Location, YieldSlab
 from groundslab.design.demands.by_plate import split_by_plate
 from groundslab.design.demands.design_moments import principal_moments
-from groundslab.design.demands.perimeters import surroundings
+from groundslab.design.demands.perimeters import RectangularColumn, RoundColumn, surroundings
 from groundslab.design.rules.calculation import Step
-from groundslab.design.rules.check import NO_COMBINATION, NO_PERIMETER, DesignCheck, not_judged
+from groundslab.design.rules.check import NO_COMBINATION, NO_FOOTPRINT, NO_PERIMETER, DesignCheck, not_judged
 from groundslab.design.rules.combinations import solved_results, ultimate_results, why_none
 from groundslab.design.rules.demand_errors import MOMENT, error_at_nodes, error_of, scaled
 from groundslab.errors import InputError
@@ -68,8 +68,8 @@ class Use:
 
     @property
     def share(self) -> float:
-        """Return demand over resistance."""
-        return self.demand / self.resistance
+        """Return demand over resistance; infinite where nothing resists."""
+        return self.demand / self.resistance if self.resistance else math.inf
 
 
 def checks(combined: Results) -> Iterator[DesignCheck]:
@@ -133,39 +133,71 @@ def _by_tr34(floor: TR34Floor, slab: Slab, standing: Standing) -> Iterator[Desig
 
 
 def _punching(floor: TR34Floor, concrete: Concrete, slab: Slab, standing: Standing) -> Iterator[DesignCheck]:
-    """Yield punching by the largest force inside, at an edge and at a corner: at its footprint and 2 d from it."""
-    largest = dict[Location, tuple[Force, CombinationResult]]()
+    """Yield punching where it uses most inside, at an edge and at a corner: at footprints, and 2 d from them."""
+    largest = dict[tuple[Location, bytes], tuple[Force, CombinationResult]]()
+    bare = dict[Location, Force]()
     for result, loads in standing:
         for load in loads:
-            before = largest.get(load.location)
-            if load.a and (before is None or load.share * load.P > before[0].share * before[0].P):
-                largest[load.location] = load, result
+            if not load.a:
+                bare.setdefault(load.location, load)
+                continue
+            place = load.location, load.shape.wkb
+            before = largest.get(place)
+            if before is None or load.share * load.P > before[0].share * before[0].P:
+                largest[place] = load, result
+    by_location = dict[Location, list[tuple[Force, CombinationResult]]]()
+    for (location, _), loaded in largest.items():
+        by_location.setdefault(location, []).append(loaded)
+    for location, loaded_places in sorted(by_location.items()):
+        yield from _punching_at(location, floor, concrete, slab, loaded_places)
+    for location, load in sorted(bare.items()):
+        why = Message("a force without a footprint stands at {place:.3f m}", place=load.place)
+        yield not_judged("punching", NO_FOOTPRINT, joined((location, why)), of=location)
+
+
+def _punching_at(
+    location: Location,
+    floor: TR34Floor,
+    concrete: Concrete,
+    slab: Slab,
+    loaded: list[tuple[Force, CombinationResult]],
+) -> Iterator[DesignCheck]:
+    """Yield the worst punching by forces at places that are alike, each with the combination in which it is largest."""
     d = effective_depth(floor, slab.h)
     rho = 0.0 if floor.mesh_area is None else floor.mesh_area / d
-    at_footprint = punching_resistance.max_resistance(concrete)
-    assert at_footprint is not None  # the recommended values have it
-    limits = (
-        at_footprint,
-        punching_resistance.resistance_without_links(concrete, d, rho),
-    )
-    for location, (load, result) in sorted(largest.items()):
-        column = acting_loads.as_column(load)
-        P = load.share * load.P
+    v_Rd_max = punching_resistance.max_resistance(concrete)
+    assert v_Rd_max is not None  # the recommended values have it
+    v_Rd_c = punching_resistance.resistance_without_links(concrete, d, rho)
+    at_faces, around_them = list[Use](), list[tuple[Use, Callable[[], float | None]]]()
+    why = ""
+    for load, result in loaded:
+        column, force = acting_loads.as_column(load), load.share * load.P
         try:
             around = surroundings(result.plate, column, 0.0, openings(d))
-            u_0, found = face_length(around, d), perimeter_demand.demand(result.plate, column, d, P)
+            u_0, found = face_length(around, d), perimeter_demand.demand(result.plate, column, d, force)
         except InputError as error:
-            yield not_judged("punching", NO_PERIMETER, joined((location, str(error))), of=location)
+            why = why or str(error)
             continue
-        change = error_of(result, lambda mesh: perimeter_demand.demand(mesh.plate, column, d, P).v_Ed)  # noqa: B023  made at once
-        at_face = partial(force_steps.at_footprint, floor, slab, load, around, u_0)
-        beyond = partial(force_steps.around_it, floor, slab, load, around, found)
-        rows = (
-            ("punching at the footprint", P / (u_0 * d), None, at_face), ("punching", found.v_Ed, change, beyond),
-        )  # fmt: skip
-        for (name, v_Ed, its_own, steps), v_Rd in zip(rows, limits, strict=True):
-            use = Use(max(v_Ed, 0.0), v_Rd, load.place, result.combination, its_own, steps)
-            yield _check(name, location, use, "MPa", 1e-6, "TR34, EN 1992-1-1 6.4")
+        steps = partial(force_steps.at_footprint, floor, slab, load, around, u_0)
+        at_faces.append(Use(force / (u_0 * d), v_Rd_max, load.place, result.combination, steps=steps))
+        steps = partial(force_steps.around_it, floor, slab, load, around, found)
+        use = Use(max(found.v_Ed, 0.0), v_Rd_c, load.place, result.combination, steps=steps)
+        around_them.append((use, partial(_error_of_punching, result, column, d, force)))
+    clause = "TR34, EN 1992-1-1 6.4"
+    if why:
+        yield not_judged("punching", NO_PERIMETER, joined((location, why)), of=location)
+    if at_faces:
+        at_face = max(at_faces, key=lambda each: each.share)
+        yield _check("punching at the footprint", location, at_face, "MPa", 1e-6, clause)
+        use, error_of_use = max(around_them, key=lambda each: each[0].share)
+        yield _check("punching", location, replace(use, error=error_of_use()), "MPa", 1e-6, clause)
+
+
+def _error_of_punching(
+    results: CombinationResult, column: RectangularColumn | RoundColumn, d: float, force: float
+) -> float | None:
+    """Return the error of v_Ed [Pa] at 2 d from a footprint under a force [N]."""
+    return error_of(results, lambda mesh: perimeter_demand.demand(mesh.plate, column, d, force).v_Ed)
 
 
 def _by_aci(floor: ACI360Floor, slab: Slab, standing: Standing) -> Iterator[DesignCheck]:
@@ -290,7 +322,7 @@ def _pressures(
     floor: AnyFloor, slab: Slab, M: float, results: list[CombinationResult], clause: str
 ) -> Iterator[DesignCheck]:
     """Yield the largest pressure against the one that may stand beside any aisle."""
-    allowed = strips.aisle_load(max(M, math.ulp(1.0)), slab.lam)
+    allowed = strips.aisle_load(max(M, 0.0), slab.lam)
     uses = [
         Use(each.total, allowed, each.place, result.combination,
             steps=partial(slab_steps.pressure, floor, slab, each, allowed))

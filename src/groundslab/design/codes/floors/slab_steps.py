@@ -124,8 +124,8 @@ def pressure(floor: AnyFloor, slab: Slab, loads: Pressure, allowed: float) -> It
         drag, formula = friction_stress(floor), "f_a * h^2 / 6"
         if drag:
             yield from friction(floor)
-            formula = "(f_a - sigma_f) * h^2 / 6"
-        M_a = (allowed_stress_of(floor) - drag) * slab.h**2 / 6
+            formula = "max(0, f_a - sigma_f) * h^2 / 6"
+        M_a = max(0.0, allowed_stress_of(floor) - drag) * slab.h**2 / 6
         yield Step("moment that makes the allowed stress", M, M_a / MEGA, "MNm/m", formula)
     yield _lambda(slab)
     terms = []
@@ -145,7 +145,8 @@ def pressure(floor: AnyFloor, slab: Slab, loads: Pressure, allowed: float) -> It
     yield Step("pressure", "q", loads.total / MEGA, "MPa", " + ".join(terms))
     words, formula = "pressure that may stand beside any aisle", strips.FORMULAS["aisle"].replace("M_n", M)
     yield Step(words, "q_R", allowed / MEGA, "MPa", formula, "Hetenyi 1946")
-    yield Step(SHARE, "eta", loads.total / allowed, "", "q / q_R")
+    if allowed:
+        yield Step(SHARE, "eta", loads.total / allowed, "", "q / q_R")
 
 
 def friction(floor: AnyFloor) -> Iterator[Step]:

@@ -9,6 +9,7 @@ from itertools import pairwise
 import numpy as np
 
 from groundslab.arrays import Array
+from groundslab.design.bars.positions import to_cut
 from groundslab.languages import Translator
 from groundslab.messages import Message
 from groundslab.unit_systems import INCH, System
@@ -50,8 +51,8 @@ def written(length: float, units: System = "SI") -> str:
 
 
 def long_words(lengths: Sequence[float] | Array, units: System) -> str:
-    """Return how long bars of lengths (k,) [m] are, in words."""
-    low, high = (written(float(find(lengths)), units) for find in (np.min, np.max))
+    """Return how long bars of lengths (k,) [m] are cut, in words."""
+    low, high = (written(float(find(to_cut(np.asarray(lengths), units))), units) for find in (np.min, np.max))
     long = high if low == high else Message("{low} to {high}", low=low, high=high)
     if units == "US":
         return Message("l = {long}", long=long)
